@@ -856,6 +856,12 @@ const std::vector<MessageMistake> warning_table = {
      Weight::possible, Fix::as_double},
     {"assignment_in_condition", "^-Wparentheses: suggest parentheses around assignment",
      "The = in this condition assigns a new value; to compare, write ==."},
+    {"dangling_else", "^-W\\S*: (?:suggest|add) explicit braces",
+     "An else below belongs to the nearest if above it, whatever the indentation: put braces around what this if is "
+     "for."},
+    {"comparison_first", "^-Wparentheses: (?:suggest parentheses around comparison|.*lower precedence than '[!=<>])",
+     "A comparison comes before & and |, which combine bits: write (k & 1) == 0 or k % 2 == 0, and && and || for "
+     "conditions."},
     {"negated_operand", "^-Wlogical-not-parentheses",
      "! negates only what directly follows it: write a != b, or !(a == b)."},
     {"chained_comparison", "^-Wparentheses: .*do not have their mathematical meaning",

@@ -153,7 +153,6 @@ const std::vector<TextMistake>& table() {
       {"empty_body", R"(^(while) \( )" + inside + R"(\) ;$)",
        "The ; directly after $1 (...) is all that it does: what follows does not belong to it. Leave out this ;",
        nullptr, " do "},
-      {"unary_plus", R"(^for \( .* \) [\w.\[\]]+ (= \+) )", "=+ only assigns; what adds to a variable is +=."},
       {"other_counter",
        R"(for \( (?:[\w:]+ )?(\w+) = [^;]* ; \1 [^;&|]* ; (?:(?:\+\+|--) (?!\1\b)(\w+)|(?!\1\b)(\w+) (?:\+\+|--)) \))",
        "This loop runs as long as `$1` is small enough, but its head changes `$2$3`."},
@@ -377,6 +376,10 @@ bool changes_copy(const SourceText& source, std::size_t brace, std::string_view 
     const bool is_word = std::isalpha(static_cast<unsigned char>(tokens[k].text[0])) != 0;
     if (is_one_of(tokens, k - 1, " ; { } ") || (is_one_of(tokens, k - 1, " ) ") && is_word)) statement = k;
     if (tokens[k].text != parameter || is_one_of(tokens, k - 1, " . :: -> ")) continue;
+    if (is_one_of(tokens, source.opening_around(k) - 1, " swap ")) {
+      last = statement;
+      continue;
+    }
     std::size_t sign = k + 1;  // behind L, L[0] or L.row(0)
     while (sign < end && !is_one_of(tokens, sign, " = += -= *= /= << ; { } ) ] ")) sign = source.partner_of(sign) + 1;
     if (k == statement && is_one_of(tokens, sign, " = += -= *= /= << ")) {
@@ -560,7 +563,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
               : "`$2` keeps its value from one call to the next, and results depend on earlier ones: leave "
                 "`static` out.",
           Weight::possible, Fix::not_static);
-    if (const Match given = search(statement.text, R"(^(\w+(?: [.\[(][^=]*)?) (=) ([-+]) )")) {
+    if (const Match given = search(statement.text, R"((?:^|\) )(\w+(?: [.\[(][^=]*)?) (=) ([-+]) )")) {
       const std::size_t at = statement.token_at(given.offsets[2]);
       const auto follows = [&](std::size_t k) {
         return tokens[k].offset == tokens[k - 1].offset + tokens[k - 1].text.size();

@@ -31,8 +31,9 @@ constexpr Slip slip_table[] = {
     {"negative_remainder", R"(((?:std\s*::\s*)?\bfmod)\s*\()",
      "[](double a, double b) { return a - b * std::floor(a / b); } ",
      "fmod keeps the sign of its first argument, so that the remainder of a negative number is negative."},
-    {"second_name", R"((?:^|[;{}])\s*(?!const\b)[\w:]+\s*(&)\s*(\w+)\s*=\s*([A-Za-z]\w*))", "",
-     "With &, `$3` is no copy but a second name of `$4`: what changes the one changes the other."},
+    {"second_name",
+     R"((?:^|[;{}])\s*(?:const\s+)?[\w:]+\s*(&)\s*(\w+)\s*=\s*([A-Za-z]\w*)(?=[^]*\b(?:\3|\4)\b\s*(?:\[[^\]]*\]\s*)?[-+*/]?=[^=]))",
+     "", "With &, `$3` is no copy but a second name of `$4`: what changes the one changes the other."},
     {"scalar_last", R"(\bQuaterniond(?:\s+\w+)?\s*\(()" PART "," PART "," PART "," PART R"()\))", "$6, $3, $4, $5",
      "Quaterniond takes w first: Quaterniond(w, x, y, z), although coeffs() holds x, y, z, w."},
     {"size_in_bytes", R"((sizeof\s*\(\s*(\w+)\s*\)\s*/\s*sizeof\s*(?1)))", "$3.size()",
@@ -55,8 +56,6 @@ constexpr Slip slip_table[] = {
      "After the start comes the end, and then the step: these two are exchanged."},
     {"other_method", R"(\.\s*(cwiseInverse)\s*\()", "inverse",
      "cwiseInverse() takes 1/x of each entry; the inverse matrix is A.inverse()."},
-    {"entrywise_product", R"((\.\s*cwiseProduct)\s*\()", " * ",
-     "cwiseProduct() multiplies entry by entry; the product of matrices is A * B."},
     {"entrywise_product", R"((\b(\w+)\s*\.\s*array\s*\(\s*\)\s*\.\s*square\s*\(\s*\)(?:\s*\.\s*matrix\s*\(\s*\))?))",
      "($3 * $3)", "array().square() squares entry by entry; the square of a matrix is `$3 * $3`."},
     {"discarded_result", R"([;{})]\s*\w+(?:\s*\.\s*\w+\s*(?1))?\s*(\*)(?!=)[^;={}]*;)",
@@ -67,8 +66,6 @@ constexpr Slip slip_table[] = {
      "std::norm of a complex number is the square of its length, which is std::abs."},
     {"truth_value", R"(\b(bool)\s+(\w+)\s*[=({])", "double",
      "A bool is only true or false, 1 or 0, and no other number: make `$3` an int or a double."},
-    {"unsigned_number", R"(\b((?:std\s*::\s*)?size_t|unsigned(?:\s+(?:int|long))?)\s+(\w+)\s*[={])", "long",
-     "An unsigned number is never negative, and wraps around to a very large one: make `$3` an int."},
     {"base_first", R"(\bpow\s*\(()" PART "," PART R"()\))", "$4, $3", "The base comes first in pow(base, exponent)."},
     {"size_first", R"(\bcopysign\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The size comes first in copysign(size, sign)."},
@@ -90,6 +87,19 @@ constexpr Slip slip_table[] = {
      "EigenSolver returns its eigenvalues in no certain order; Eigen::SelfAdjointEigenSolver in ascending order."},
     {"row_first", R"(\bblock\s*<[^<>]*>\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The row comes first, and then the column, in block<3, 3>(row, column)."},
+    {"arguments_of_atan2", R"(\batan2\s*\(()" PART "," PART R"()\))", "$4, $3",
+     "The y comes first in atan2(y, x): here the x is given first."},
+    {"whole_cast", R"((?:\(\s*|<\s*|\b)(int|long)(?=\s*(?:\)|>\s*\(|\()))", "double",
+     "$2 keeps only what stands before the decimal point."},
+    {"missing_else", R"(\bif\s*(?1)\s*(?1)\s*()\{)", "else ",
+     "This block follows whether the condition is true or not: an else is missing in front of it."},
+    {"negative_number",
+     R"((?:\bif\s*\(|\bwhile\s*\(|\breturn\b|=|&&|\|\|)\s*((?:(?!\b\w*abs\b|\bnorm\b)[^<>=&|;{}?])+?)\s*<\s*[\d.]*e-\d)",
+     "std::abs($2)", "Every negative number is smaller than this: compare std::abs of it."},
+    {"negative_number", R"(\bwhile\s*\(\s*((?:(?!\b\w*abs\b|\bnorm\b)[^<>=&|;{}?])+?)\s*>\s*[\d.]*e-\d)",
+     "std::abs($2)", "A negative number ends this loop too, however large it is: compare std::abs of it."},
+    {"bracket_of_abs", R"(\babs\s*\(((()(?:[^(){};<>]|(?1))+?)([<>]=?)((?:[^(){};]|(?1))+))\))", "$3) $5 ($6",
+     "The bracket of abs ends behind the comparison here, of which it takes the size: 0 or 1. Close it before."},
     {"copy_of_itself", R"(\bfunction\s*<[^;{}]*>\s*(\w+)\s*(?:;\s*\w+\s*)?=\s*\[([^\]&]*)\])", "&",
      "The lambda keeps a copy of `$2` from before it was given this lambda: write [&].", 3},
     {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.\s*(?:sum|mean|prod|norm|squaredNorm|maxCoeff|minCoeff)\b)",
@@ -109,6 +119,8 @@ class Slips {
       goes_on(k);
     }
     counts_from_one();
+    unsigned_numbers();
+    length_after_normalize();
     for (const Argument& argument : exercise.arguments)
       if (argument.kind == Kind::points)
         for (const auto& [method, what] : {std::pair{"size", "counts all entries"}, {"rows", "is 3"}})
@@ -278,6 +290,40 @@ class Slips {
         std::move(edits));
   }
 
+  /// std::size_t i, unsigned j: all of them as numbers with a sign
+  void unsigned_numbers() {
+    std::vector<Edit> edits;
+    std::string name;
+    for (const Match& read :
+         search_all(source_.text(), R"(\b((?:std\s*::\s*)?size_t|unsigned(?:\s+(?:int|long))?)\s+(\w+)\s*[={])")) {
+      if (edits.empty()) name = read[2];
+      edits.push_back({read.offsets[1], read[1].size(), "long"});
+    }
+    if (edits.empty()) return;
+    const Place place = source_.place_of(edits[0].offset);
+    const std::string sentence =
+        fmt::format("An unsigned number is never negative, and wraps around to a very large one: make `{}`{} an int.",
+                    name, edits.size() > 1 ? ", and each of the others," : "");
+    add("unsigned_number", sentence, place, std::move(edits));
+  }
+
+  /// L.normalize(); … L.norm()
+  void length_after_normalize() {
+    for (const Match& changed : search_all(source_.text(), R"(\b(\w+)\s*\.\s*normalize\s*\(\s*\)\s*;)")) {
+      const std::string length = "workbook_length_of_" + changed[1];
+      std::vector<Edit> edits = {
+          {changed.offsets[0], 0, fmt::format("const double {} = {}.norm(); ", length, changed[1])}};
+      for (const Match& read : search_all(source_.text(), R"(\b)" + changed[1] + R"(\s*\.\s*norm\s*\(\s*\))"))
+        if (read.offsets[0] > changed.offsets[0]) edits.push_back({read.offsets[0], read[0].size(), length});
+      if (edits.size() < 2) continue;
+      const Place place = source_.place_of(edits[1].offset);
+      add("length_after_normalize",
+          fmt::format("normalize() has changed `{}` itself, whose length is 1 from there on: keep its length before.",
+                      changed[1]),
+          place, std::move(edits));
+    }
+  }
+
   /// v.segment(from, to), A.middleCols(from, to) and A.block(row, column, to row, to column), with or without that end
   void sizes_for_ends() {
     for (const char* more : {"", " + 1"}) {
@@ -302,8 +348,12 @@ class Slips {
     }
   }
 
-  /// A.array() * B.array() for A * B
+  /// A.cwiseProduct(v) and A.array() * B.array() for A * v and A * B
   void entry_by_entry() {
+    for (const Match& read : search_all(source_.text(), R"(\b(\w+)(\s*\.\s*cwiseProduct)\s*\()"))
+      if (search(source_.text(), R"(\bMatrix3d\s*&?\s*)" + read[1] + R"(\b)"))
+        add("entrywise_product", "cwiseProduct() multiplies entry by entry; the product of matrices is A * B.",
+            source_.place_of(read.offsets[2]), {{read.offsets[2], read[2].size(), " * "}});
     std::vector<Edit> edits;
     for (const Match& read : search_all(source_.text(), R"(\.\s*(?:array|matrix)\s*\(\s*\))"))
       edits.push_back({read.offsets[0], read[0].size(), ""});

@@ -119,31 +119,22 @@ template <class T> decltype(auto) operator*(const WorkbookMatrix& matrix, const 
 }
 )";
 
-enum class Form { times, change, term, matrix, step, value, call, method, condition, copy };
+enum class Form { times, change, whole, term, matrix, step, value, call, method, condition, copy };
 
 /// In the order of VariantKind, up to those that need a copy.
 constexpr struct {
   const char* name;
   Form form;
-} switched_kinds[] = {{"sign", Form::times},
-                      {"factor", Form::times},
-                      {"factor", Form::change},
-                      {"power", Form::change},
-                      {"term", Form::term},
-                      {"factor", Form::matrix},
-                      {"factor", Form::times},
-                      {"number", Form::value},
-                      {"index", Form::value},
-                      {"name", Form::value},
-                      {"function", Form::call},
-                      {"method", Form::method},
-                      {"loop", Form::step},
-                      {"guard", Form::value},
-                      {"brackets", Form::copy},
-                      {"overwritten", Form::copy},
-                      {"assignment", Form::copy},
-                      {"branch", Form::condition},
-                      {"branch_off", Form::condition},
+} switched_kinds[] = {{"sign", Form::times},         {"factor", Form::times},
+                      {"factor", Form::change},      {"power", Form::change},
+                      {"power", Form::whole},        {"term", Form::term},
+                      {"factor", Form::matrix},      {"factor", Form::times},
+                      {"number", Form::value},       {"index", Form::value},
+                      {"name", Form::value},         {"function", Form::call},
+                      {"method", Form::method},      {"loop", Form::step},
+                      {"guard", Form::value},        {"brackets", Form::copy},
+                      {"overwritten", Form::copy},   {"assignment", Form::copy},
+                      {"branch", Form::condition},   {"branch_off", Form::condition},
                       {"branch_on", Form::condition}};
 
 Form form_of(const Variant& variant) {
@@ -223,11 +214,14 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         break;
       }
       case Form::change:
-        piece.order = 3;
-        piece.parts = {{fmt::format(" WorkbookChange{{{}}} ->* ",
-                                    choose_number([](std::size_t, const Edit& edit) { return edit.replacement; }, "0")),
-                        group.all}};
+      case Form::whole: {
+        const bool is_whole = form == Form::whole;
+        if (is_whole) pieces.push_back({end, 0, -1, 0, {{")", {}}}});
+        piece = {offset, 0, is_whole ? -1 : 3, end, {}};
+        const auto number = choose_number([](std::size_t, const Edit& edit) { return edit.replacement; }, "0");
+        piece.parts = {{fmt::format(" WorkbookChange{{{}}} ->* {}", number, is_whole ? "(" : ""), group.all}};
         break;
+      }
       case Form::term:
         choose(
             " (", [](const Edit& edit) { return edit.replacement; }, "WorkbookTerm()", ") + ");

@@ -147,6 +147,7 @@ class SourceMutations {
       constants_.insert(argument.name);
     }
     find_functions(exercise.name);
+    find_changed_arguments();
     find_locals();
     find_operands();
     for (const Argument& argument : exercise.arguments) {
@@ -173,6 +174,7 @@ class SourceMutations {
       functions();
       divisions();
       changes();
+      changes_of_all();
       factors();
       terms();
       matrices();
@@ -221,6 +223,19 @@ class SourceMutations {
     last_ = tokens.size();
     for (first_ = 0; first_ < tokens.size(); ++first_) {
       if (tokens[first_].text == ")" && token(first_ + 1) == "{") break;
+    }
+  }
+
+  /// `Vector3d& w` of `void step(Vector3d& w, double h)` and `auto step = [&](Vector3d& w, double h)`
+  void find_changed_arguments() {
+    for (std::size_t k = 2; k < std::min(source_.tokens().size(), last_token_looked_at); ++k) {
+      if (token(k) != "&" || !is_identifier(token(k + 1)) || !is_one_of(token(k + 2), {",", ")"})) continue;
+      const std::size_t open = source_.opening_around(k);
+      std::size_t type = k;
+      while (type > open && !is_one_of(token(type), {",", "const"})) --type;
+      if (token(open) != "(" || open < 3 || token(type) == "const") continue;
+      const std::size_t captures = token(open - 1) == "]" ? source_.partner_of(open - 1) : 0;
+      changed_arguments_[std::string(token(captures > 2 ? captures - 2 : open - 1))].insert(place_in_list(k));
     }
   }
 
@@ -381,11 +396,21 @@ class SourceMutations {
     return is_identifier(token(index)) || is_numeral(token(index)) || token(index) == "(";
   }
 
-  /// Is what follows a value, and no declaration and no statement?
-  /// An argument of swap(a, b), std::tie(a, b).
+  /// An argument of swap(a, b), std::tie(a, b), or of a function of the file that takes it by a reference to change it.
   bool is_changed_by_call(std::size_t index) const {
     const std::size_t open = source_.opening_around(index);
-    return token(open) == "(" && open > 0 && is_one_of(token(open - 1), {"swap", "tie"});
+    if (token(open) != "(" || open == 0) return false;
+    const auto changing = changed_arguments_.find(token(open - 1));
+    return is_one_of(token(open - 1), {"swap", "tie"}) ||
+           (changing != changed_arguments_.end() && changing->second.contains(place_in_list(index)));
+  }
+  /// 0 for the first between its brackets.
+  std::ptrdiff_t place_in_list(std::size_t index) const {
+    std::ptrdiff_t commas = 0;
+    for (std::size_t k = source_.opening_around(index) + 1; k < index;
+         k = opens(token(k)) ? source_.partner_of(k) + 1 : k + 1)
+      commas += token(k) == "," ? 1 : 0;
+    return commas;
   }
   /// The comma of `Matrix3d A, B;`
   bool is_between_names() const {
@@ -396,6 +421,7 @@ class SourceMutations {
     while (token(first + 1) == "::") first += 2;
     return is_identifier(token(first)) && is_identifier(token(first + 1)) && token(first) != "return";
   }
+  /// Is what follows a value, and no declaration and no statement?
   bool begins_expression() const {
     std::size_t type = at_ + 1;
     while (token(type + 1) == "::") type += 2;
@@ -591,13 +617,16 @@ class SourceMutations {
       put("a sum in place of {}", "(" + name + " + " + other + ")");
       put("a difference in place of {}", "(" + name + " - " + other + ")");
     }
-    if (type != "Vector3d" || after() == "[" || after() == "(") return;
+    if (type != "Vector3d" || after() == "(") return;
     for (const auto& [matrix, other_type] : types_) {
       if (!is_visible(matrix)) continue;
       if (other_type == "Matrix3d") {
-        put("a matrix before {}", "Vector3d(" + matrix + " * " + name + ")");
-        put("a matrix before {}", "Vector3d(" + matrix + ".transpose() * " + name + ")");
-      } else if (other_type == "Vector3d" && matrix == "I" && name != "I") {
+        for (const char* turned : {" * ", ".transpose() * "}) {
+          const std::string product = "Vector3d(" + matrix + turned + name + ")";
+          if (after() != "[") put("a matrix before {}", product);
+          places_[{name, product}].push_back(replaced(at_, at_, product));
+        }
+      } else if (other_type == "Vector3d" && matrix == "I" && name != "I" && after() != "[") {
         put("the moments times {}", "Vector3d(" + matrix + ".cwiseProduct(" + name + "))");
       }
     }
@@ -611,6 +640,7 @@ class SourceMutations {
       const char* words = is_number                     ? "a larger number wherever `{}` stands"
                           : is_left_out                 ? "`{}` left out wherever it stands"
                           : texts.second.ends_with(']') ? "an entry of a list in this loop wherever `{}` stands"
+                          : texts.second.ends_with(')') ? "a matrix before `{}` wherever it stands"
                                                         : "another name wherever `{}` stands";
       found_.push_back({is_number     ? VariantKind::number
                         : is_left_out ? VariantKind::function
@@ -643,6 +673,7 @@ class SourceMutations {
       const std::size_t last = token(at_ + 2) == ")" ? at_ + 2 : at_ + 1;
       const std::string_view behind = token(source_.partner_of(at_ + 1) + 1);
       if (found == methods.end() || at_ < 2 || is_one_of(behind, {"=", "+=", "-=", "*=", "/="})) return;
+      if (here() == "transpose" && shape_of(operand_of(at_ - 1), at_ - 2) == 'v') return;
       for (const std::string_view other : found->second) {
         Edit edit =
             replaced(at_ - 1, last, other.empty() ? "" : fmt::format("{}{}", other, last == at_ + 2 ? "()" : "("));
@@ -687,12 +718,18 @@ class SourceMutations {
     return first;
   }
 
-  /// The end of a loop.
+  /// The beginning and the end of a loop.
   void loops() {
-    if (!conditions_.in_loop(at_) || !is_one_of(here(), {"<", "<=", ">", ">=", "!="}) || all_bugs_) return;
+    if (!conditions_.in_loop(at_) || !is_one_of(here(), {"=", "<", "<=", ">", ">=", "!="}) || all_bugs_) return;
     if (is_one_of(after(), whole_types) || is_one_of(after(), {"double", "std"})) return;  // `vector<double>`
     if (!is_identifier(after()) && !(is_numeral(after()) && is_whole(at_ + 1))) return;
     const std::size_t behind = source_.tokens()[at_].offset + here().size();
+    if (here() == "=") {
+      if (token(at_ + 2) != ";" || !is_numeral(after())) return;
+      add(VariantKind::loop, "a later first step", at_, {{behind, 0, "1"}});
+      if (after() != "0") add(VariantKind::loop, "an earlier first step", at_, {{behind, 0, "-1"}});
+      return;
+    }
     add(VariantKind::loop, "one step more", at_, {{behind, 0, "1"}});
     add(VariantKind::loop, "one step less", at_, {{behind, 0, "-1"}});
     add(VariantKind::steps, "more steps", at_, {{behind, 0, "10.0 *"}});
@@ -740,6 +777,14 @@ class SourceMutations {
       k = end_of_factor(k);
     }
     return true;
+  }
+
+  /// v for a vector, m for a matrix, as far as a name alone tells; otherwise nothing.
+  char shape_of(std::size_t first, std::size_t last) const {
+    const auto type = types_.find(std::string(token(first)));
+    const std::string_view text = type == types_.end() ? token(first) : std::string_view(type->second);
+    if (type == types_.end() ? token(first + 1) != "::" : first != last) return '\0';
+    return text.starts_with("Vector") ? 'v' : text.starts_with("Matrix") ? 'm' : '\0';
   }
 
   /// The last token of `x`, `v.norm()`, `M(0, 1)` or `(a + b)`.
@@ -798,6 +843,23 @@ class SourceMutations {
     if (is_number && type != types_.end()) return;
     if (type == types_.end() || type->second == "Matrix3d") put("the transpose of {}", "6");
     if (type == types_.end() || type->second == "Vector3d") put("the unit vector of {}", "7");
+  }
+
+  /// `rate = g / l` as its root, its square or one over it.
+  void changes_of_all() {
+    constexpr std::ptrdiff_t most = 36;
+    if (all_bugs_ || !is_one_of(here(), {"=", "return"}) || conditions_.in_loop(at_) || !begins_operand(at_ + 1) ||
+        token(at_ - 2) == "&" || std::ranges::count(found_, VariantKind::whole, &Variant::kind) >= most)
+      return;
+    std::size_t end = at_ + 1;
+    while (!is_one_of(token(end), {";", ",", ")", "}", "?", ""}))
+      end = opens(token(end)) ? source_.partner_of(end) + 1 : end + 1;
+    if (!is_one_of(token(end), {";", ","}) || end_of_factor(at_ + 1) + 1 >= end || !is_scalar(at_ + 1, end - 1)) return;
+    const std::size_t first = source_.tokens()[at_].offset + here().size();
+    for (const auto& [words, number] : {std::pair{"the root of all that follows", "3"},
+                                        {"the square of all that follows", "2"},
+                                        {"one over all that follows", "1"}})
+      add(VariantKind::whole, words, at_ + 1, {{first, source_.tokens()[end].offset - first, number}});
   }
 
   /// The function's name in front of its bracket is left out, with a std:: before it.
@@ -887,7 +949,7 @@ class SourceMutations {
       add(VariantKind::assignment, "`" + other + "` in place of `" + written + "`", at_ + 1,
           {replaced(sign, sign, other)});
     };
-    if (is_one_of(written, {"+=", "*="})) put("=");
+    if (is_one_of(written, {"+=", "*="}) && !is_numeral(token(end_of_statement(sign) - 1))) put("=");
     if (written != "=" || !is_repeated(at_ + 1)) return;
     if (type != "Quaterniond") put("+=");
     if (is_one_of(type, {"double", "Matrix3d", "Quaterniond"}) && sign == at_ + 2) put("*=");
@@ -916,7 +978,8 @@ class SourceMutations {
     while (first > 2 && is_one_of(token(first - 1), {".", "::"}) && is_identifier(token(first - 2))) first -= 2;
     if (!begins_operand(at_ + 1)) return;
     const std::size_t last = end_of_factor(at_ + 1);
-    if (is_scalar(first, at_ - 1) != is_scalar(at_ + 1, last)) return;
+    const char left = shape_of(first, at_ - 1), right = shape_of(at_ + 1, last);
+    if (is_scalar(first, at_ - 1) != is_scalar(at_ + 1, last) || (left + right != 0 && left != right)) return;
     if (!is_one_of(token(first - 1), {"*", "/"}) && !is_one_of(token(last + 1), {"*", "/"})) return;
     if (std::ranges::count(found_, VariantKind::brackets, &Variant::kind) >= most) return;
     const Token& end = source_.tokens()[last];
@@ -976,10 +1039,12 @@ class SourceMutations {
         "transpose", "inverse", "normalized", "cwiseProduct", "cwiseQuotient"};
     if (here() != "." || !is_one_of(after(), methods) || all_bugs_) return;
     const std::size_t operand = operand_of(at_);
-    if (operand < 3 || !is_one_of(token(operand - 1), {"*", "/", "+", "-"})) return;
+    if (operand < 3 || !is_one_of(token(operand - 1), {"*", "+", "-"})) return;
     const std::string_view end = token(operand - 2);
     if (end == "return" || !(is_identifier(end) || closes(end))) return;
     const std::size_t left = operand_of(operand - 1);
+    if (token(operand - 1) != "*" && is_scalar(left, operand - 2)) return;
+    if (shape_of(left, operand - 2) == 'v' && shape_of(operand, at_ - 1) == 'v' && token(operand - 1) == "*") return;
     add(VariantKind::brackets, brackets_before_method_words, at_,
         {{source_.tokens()[left].offset, 0, "("}, {source_.tokens()[at_].offset, 0, ")"}});
   }
@@ -1067,7 +1132,8 @@ class SourceMutations {
   std::map<std::pair<std::string, std::string>, std::vector<Edit>> places_;  ///< of one text in place of another
   Scope body_ = {0, last_token_looked_at};                                   ///< of the exercise's function
   std::vector<Operand> operands_;
-  std::vector<Lambda> closed_;                               ///< without a default of their captures
+  std::vector<Lambda> closed_;  ///< without a default of their captures
+  std::map<std::string, std::set<std::ptrdiff_t>, std::less<>> changed_arguments_;  ///< of functions: their places
   std::vector<std::pair<std::string, std::string>> angles_;  ///< an argument, and the angle in it
   static constexpr const char* order_words = "the two matrices in the other order";
   std::vector<Variant> found_;

@@ -20,15 +20,17 @@ struct Edit {
 };
 
 /// What is changed: slips (`inverse` is one over an operand, `power` its square, root, absolute value, transpose or
-/// unit vector, `term` and `matrix` what is missing before a sum or a product; `steps` are many more steps of a loop);
-/// the condition of a branch, which throws where it is true, never is true or always is; what needs a copy of the file.
-/// `brackets` stand around a sum, `overwritten` is a value that the line above has changed, `assignment` another = or
+/// unit vector, `whole` the square or root of all behind an = or return, or one over it, `term` and `matrix` what is
+/// missing before a sum or a product; `steps` are many more steps of a loop); the condition of a branch, which throws
+/// where it is true, never is true or always is; what needs a copy of the file. `brackets` stand around a sum,
+/// `overwritten` is a value that the line above has changed, `assignment` another = or
 /// +=.
 enum class VariantKind {
   sign,
   factor,
   inverse,
   power,
+  whole,
   term,
   matrix,
   steps,
