@@ -145,14 +145,9 @@ Table misconceptions() {
 Table terms() {
   Table table;
   for (const auto& [of_u, of_v, name] : std::vector<std::tuple<double, double, std::string>>{
-           {1, 1, "term m v"},
-           {1, -2, "term m v"},
-           {0.5, 2, "term m u"},
-           {1, 0, "term m v"},
-           {2, 1, "term m u"},
-           {1, 2 + 1e-5, "accuracy near"}})  // as of a sum in large steps
+           {1, 1, "m v"}, {1, -2, "m v"}, {0.5, 2, "m u"}, {1, 0, "m v"}, {2, 1, "m u"}, {1, 2 + 1e-5, ""}})
     add(table, fmt::format("{} m u + {} m v", of_u, of_v), momentum_with_terms(),
-        outputs(momentum(), momentum_with(of_u, of_v)), name);
+        outputs(momentum(), momentum_with(of_u, of_v)), name.empty() ? "accuracy near" : "term " + name);
   add(table, "3 m v, where m v is a misconception", sound_momentum(), outputs(momentum(), momentum_with(1, 3)),
       "term m v");
   // m u_0 times the unit matrix.
