@@ -859,7 +859,7 @@ const std::vector<MessageMistake> warning_table = {
     {"dangling_else", "^-W\\S*: (?:suggest|add) explicit braces",
      "An else below belongs to the nearest if above it, whatever the indentation: put braces around what this if is "
      "for."},
-    {"comparison_first", "^-Wparentheses: (?:suggest parentheses around comparison|.*lower precedence than '[!=<>])",
+    {"comparison_first", "^-Wparentheses: (?:suggest parentheses around comparison|.*lower precedence than '?[!=<>])",
      "A comparison comes before & and |, which combine bits: write (k & 1) == 0 or k % 2 == 0, and && and || for "
      "conditions."},
     {"negated_operand", "^-Wlogical-not-parentheses",

@@ -979,7 +979,8 @@ class SourceMutations {
     if (!begins_operand(at_ + 1)) return;
     const std::size_t last = end_of_factor(at_ + 1);
     const char left = shape_of(first, at_ - 1), right = shape_of(at_ + 1, last);
-    if (is_scalar(first, at_ - 1) != is_scalar(at_ + 1, last) || (left + right != 0 && left != right)) return;
+    const bool are_known = left != '\0' && right != '\0';
+    if (is_scalar(first, at_ - 1) != is_scalar(at_ + 1, last) || (are_known && left != right)) return;
     if (!is_one_of(token(first - 1), {"*", "/"}) && !is_one_of(token(last + 1), {"*", "/"})) return;
     if (std::ranges::count(found_, VariantKind::brackets, &Variant::kind) >= most) return;
     const Token& end = source_.tokens()[last];
