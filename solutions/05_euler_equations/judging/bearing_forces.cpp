@@ -72,6 +72,13 @@ void judge_bearing_forces(Lecture& lecture) {
       "couple_only", [](auto& r) { r = Vector3d(0, 0, r[2]); });
   e.wrong_output("The two columns are exchanged: the first belongs to the bearing at bearings[0].", "exchanged",
                  [](auto& forces) -> Matrix3Xd { return forces.rowwise().reverse(); });
+  e.wrong(
+      "The torque along x is put down to the forces along x here; these exert one along y, and those along y one "
+      "along −x.",
+      "torque_along_the_force", [](auto& I, auto M, auto& r_cm, auto rate, auto& z) {
+        const Vector3d omega = rate * z_axis, torque = cross(omega, Vector3d(about_point(I, M, r_cm) * omega));
+        return two_forces(M * cross(omega, cross(omega, r_cm)), {-torque[1], torque[0], 0}, z);
+      });
   e.route("six masses, each on its circle", [](auto& I, auto M, auto& r_cm, auto rate, auto& z) {
     Vector3d sum = zero, torque = zero;
     const Matrix3Xd points = six_points(I, M).colwise() + r_cm;

@@ -92,6 +92,14 @@ void judge_linearized_top(Lecture& lecture) {
           "sign_in_frequency", with([](auto& p) { return p.sign * p.frequency; }, &Wobble::ratio));
   e.wrong("Your ω₂ has the sign of ω₃; it is the sign of Ω₁, which also changes with I₃ − I₂.", "sign_of_spin",
           with(&Wobble::frequency, [](auto& p) { return copysign(p.ratio, p.spin); }));
+  e.wrong(
+      "Your amplitudes are in the ratio I₁ to I₂, as if the part of L across axis 3 kept its length; a change of ω₃ of "
+      "second order changes that as well.",
+      "momentum_ellipse", [](auto& I, auto omega3, auto A, auto phase, auto t) {
+        Vector2d omega = linearized_top(I, omega3, A, phase, t);
+        omega[1] *= I[0] / I[1] / Wobble(I, omega3).ratio;
+        return omega;
+      });
   const Sentence inverted{"Your ratio of amplitudes is inverted: ω₂ has √(Ω₂/Ω₁) times the amplitude of ω₁.", linear};
   const Sentence equal{"Both components have one amplitude, as in a symmetric top; ω₂ has √(Ω₂/Ω₁) times that of ω₁.",
                        linear};

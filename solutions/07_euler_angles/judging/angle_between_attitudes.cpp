@@ -33,6 +33,17 @@ void judge_angle_between_attitudes(Lecture& lecture) {
             const Vector3d one = turned_triad(a).col(2), other = turned_triad(b).col(2);
             return atan2(cross(one, other).norm(), one.dot(other));
           });
+  e.wrong(
+      "This is the largest angle through which one of the three axes turns; an axis that is not across that of the "
+      "rotation turns through less than the rotation itself.",
+      "largest_of_axes", [](auto& a, auto& b) {
+        const Matrix3d one = turned_triad(a), other = turned_triad(b);
+        double largest = 0;
+        for (int i = 0; i < 3; ++i)
+          largest = max(
+              largest, atan2(cross(Vector3d(one.col(i)), Vector3d(other.col(i))).norm(), one.col(i).dot(other.col(i))));
+        return largest;
+      });
   e.wrong("This is the angle of one turn after the other; asked for is that between the two.", "not_transposed",
           [=](auto& a, auto& b) { return of_trace((rotation_matrix(b) * rotation_matrix(a)).trace()); });
   e.wrong_output("This is half of the angle: a quaternion holds cosine and sine of the half.", "half_angle",

@@ -117,12 +117,17 @@ void judge_path_type(Lecture& lecture) {
       {"The toy top released at 40° with 200 rad/s", "push: the first φ̇ (rad/s)", "wave (+1), cusps (0) or loops (−1)"},
       {"type"}, {-10, 30, 161});
 
-  e.wrong({"A push forwards always makes a wave here; one beyond twice the rate of the gyroscope formula makes loops, "
-           "at the end of a rise.",
-           "heavy_top_paths"},
-          "forwards_is_a_wave", [](auto, auto, auto, auto, auto phi_rate, auto omega3) {
-            return phi_rate == 0 ? 0 : phi_rate * omega3 < 0 ? -1 : 1;
-          });
+  const Sentence forwards{
+      "A push forwards always makes a wave here; one beyond twice the rate of the gyroscope formula "
+      "makes loops, at the end of a rise.",
+      "heavy_top_paths"};
+  e.wrong(forwards, "forwards_is_a_wave", [](auto, auto, auto, auto, auto phi_rate, auto omega3) {
+    return phi_rate == 0 ? 0 : phi_rate * omega3 < 0 ? -1 : 1;
+  });
+  e.wrong(forwards, "forwards_only_falls", [](auto I1, auto I3, auto mgl, auto theta, auto phi_rate, auto omega3) {
+    const Push push(I1, I3, mgl, theta, phi_rate, omega3);
+    return phi_rate == 0 ? 0 : push.size < 0 && abs(push.turning) < 1 ? -1 : 1;
+  });
   e.wrong("The sense of the spin does not count here: forwards is the sense in which the top precesses, that of ω₃.",
           "sense_of_the_spin", [](auto I1, auto I3, auto mgl, auto theta, auto phi_rate, auto omega3) {
             return path_type(I1, I3, mgl, theta, phi_rate, abs(omega3));

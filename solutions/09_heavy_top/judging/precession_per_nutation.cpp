@@ -76,6 +76,11 @@ void mistakes_of_precession_per_nutation(Exercise& e) {
             return (cubic.phi_rate(cubic.low) + cubic.phi_rate(cubic.high)) / 2 *
                    nutation_period(I1, I3, mgl, theta, rates);
           });
+  e.wrong("The rate in the middle between the two limits is taken for all of the period here; it changes on the way.",
+          "rate_in_the_middle", [](auto I1, auto I3, auto mgl, auto theta, auto& rates) {
+            const Cubic cubic{Start(I1, I3, mgl, theta, rates)};
+            return cubic.phi_rate((cubic.low + cubic.high) / 2) * nutation_period(I1, I3, mgl, theta, rates);
+          });
   const char* const modulo = "Whole turns are missing: this is the angle modulo 2π.";
   e.wrong_output(modulo, "modulo_nearest", [](auto& angle) { angle = std::remainder(angle, 2 * pi); });
   e.wrong_output(modulo, "modulo", [](auto& angle) { angle -= 2 * pi * std::floor(angle / (2 * pi)); });
