@@ -53,6 +53,8 @@ void judge_rotated_basis(Lecture& lecture) {
   e.wrong({"This is the first-order step made of unit vectors: the right length, but not the direction.", small},
           "first_order_normalised",
           [](auto& E, auto& w, auto dt) -> Matrix3d { return (E + dt * skew(w) * E).colwise().normalized(); });
+  e.wrong({"This is Cayley's rotation, by 2 atan(|ω| dt/2), which is |ω| dt for a small angle only.", small}, "cayley",
+          [](auto& E, auto& w, auto dt) { return turn(w, 2 * atan(w.norm() * dt / 2)) * E; });
   e.wrong("With the rotation on the right of E, ω acts as if its components were on the body axes; they are inertial.",
           "body_components", [](auto& E, auto& w, auto dt) { return E * turn_of(w, dt); });
   e.wrong_input<2>({"Your basis turns backwards: the slides' matrix acts on the basis vectors, Rᵀ on components.",

@@ -95,6 +95,10 @@ void judge_bead_on_hoop(Lecture& lecture) {
   e.wrong_output("The frequency has the curvature of gravity alone; the centrifugal force changes along the hoop too.",
                  "cosine_frequency",
                  tilted([](Vector2d& result, double ratio, double rate) { result[1] = abs(rate) / ratio; }));
+  e.wrong_output("The bead swings as in the field of its place of rest; the centrifugal force changes along the hoop.",
+                 "field_at_rest", [](Vector2d& result, auto radius, auto g, auto rate) {
+                   result[1] = max(sqrt(g / radius), abs(rate));
+                 });
   e.wrong_output("The angle is measured from the highest point.", "from_the_top",
                  [](auto& result) { result[0] = pi - result[0]; });
   e.wrong_output("This is the square of the frequency.", "squared", [](auto& result) { result[1] *= result[1]; });

@@ -101,11 +101,18 @@ void judge_balance_rotor(Lecture& lecture) {
             const Vector2d pair = moment_of_unbalance(m, r) / (correction * (planes[1] - planes[0]));
             return in_planes(pair, -pair, planes);
           });
-  e.wrong("The levers are counted from the origin here; for the mass in one plane, that in the other exerts no moment "
-          "about this other plane only.",
-          "levers_from_origin", [](auto& m, auto& r, auto& planes, auto correction) {
-            const Vector2d second = moment_of_unbalance(m, r) / (-correction * (planes[1] - planes[0]));
-            return in_planes(Vector2d(-static_unbalance(m, r) / correction - second), second, planes);
+  e.wrong(
+      "The levers are counted from the origin here; for the mass in one plane, that in the other exerts no moment "
+      "about this other plane only.",
+      "levers_from_origin", [](auto& m, auto& r, auto& planes, auto correction) {
+        const Vector2d second = moment_of_unbalance(m, r) / (-correction * (planes[1] - planes[0]));
+        return in_planes(Vector2d(-static_unbalance(m, r) / correction - second), second, planes);
+      });
+  e.wrong("Two equal masses against the force exert a moment as well, unless the planes are at ±z: it is missing.",
+          "halves_and_couple", [](auto& m, auto& r, auto& planes, auto correction) {
+            const Vector2d half = static_unbalance(m, r) / (-2 * correction);
+            const Vector2d pair = moment_of_unbalance(m, r) / (correction * (planes[1] - planes[0]));
+            return in_planes(Vector2d(half + pair), Vector2d(half - pair), planes);
           });
   e.wrong("Each mass is balanced in the plane that is nearer to it; a mass beside a plane also exerts a moment.",
           "distance_to_nearest", [](auto& m, auto& r, auto& planes, auto correction) {

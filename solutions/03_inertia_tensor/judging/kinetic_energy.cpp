@@ -17,6 +17,11 @@ void judge_kinetic_energy(Lecture& lecture) {
       "mean_moment", [](auto& I, auto& w) { return 0.5 * I.trace() / 3 * w.squaredNorm(); });
   e.wrong("This is half the product of the lengths of L and ω; the energy is their dot product, T = ½ L·ω.",
           "product_of_norms", [](auto& I, auto& w) { return 0.5 * (I * w).norm() * w.norm(); });
+  e.wrong("This is L²/2I with the moment about the axis of ω, as if L were along ω; only its part along ω counts.",
+          "momentum_along_omega", [](auto& I, auto& w) {
+            const Vector3d L = I * w;
+            return w.dot(L) > 0 ? L.squaredNorm() * w.squaredNorm() / (2 * w.dot(L)) : 0.0;
+          });
   e.wrong_terms(products_of_opposite_sign, "products_flipped", {0.5, -1});
   e.wrong_output("Your energy grows in proportion to |ω|; it must be quadratic in ω.", "omega_not_squared",
                  [](auto& T, auto&, auto& w) { T /= or_one(w.norm()); });

@@ -67,6 +67,18 @@ void judge_combined_inertia(Lecture& lecture) {
               whole += mass * m[k] / (mass + m[k]) * of_unit_mass(r.col(k) - r.col(0));
             return whole;
           });
+  e.wrong("A body that joins moves the common centre away from those before it too; their shift is missing.",
+          "only_the_new_one_shifted", [](auto& m, auto& r, auto& I) {
+            Matrix3d whole = sum_of(I);
+            double mass = m[0];
+            Vector3d place = r.col(0);
+            for (int k = 1; k < m.size(); ++k) {
+              place = (mass * place + m[k] * r.col(k)) / (mass + m[k]);
+              whole += m[k] * of_unit_mass(r.col(k) - place);
+              mass += m[k];
+            }
+            return whole;
+          });
   e.wrong_terms("The bodies count as points; their own tensors are missing.", "points_only", {0, 1, -1});
   e.wrong_terms("m (d² 1 − d d) is subtracted here; away from a centre it is added.", "shift_subtracted", {1, -1, 1});
   e.wrong({"The products of the shifts have the wrong sign: each adds −m dᵢ dⱼ.", products_notes},

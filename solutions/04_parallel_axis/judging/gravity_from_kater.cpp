@@ -54,6 +54,9 @@ void judge_gravity_from_kater(Lecture& lecture) {
           [](auto h1, auto T1, auto h2, auto T2) { return 16 * pi * pi * (h1 + h2) / pow(T1 + T2, 2); });
   e.wrong(only_if_equal, "sum_and_mean_square",
           [](auto h1, auto T1, auto h2, auto T2) { return 8 * pi * pi * (h1 + h2) / (T1 * T1 + T2 * T2); });
+  e.wrong(only_if_equal, "sum_and_weighted_mean_square", [](auto h1, auto T1, auto h2, auto T2) {
+    return 4 * pi * pi * pow(h1 + h2, 2) / (h1 * T1 * T1 + h2 * T2 * T2);
+  });
   e.wrong("This is the mean of what two simple pendulums would show; neither is one, and their errors do not cancel.",
           "mean_of_two",
           [](auto h1, auto T1, auto h2, auto T2) { return 2 * pi * pi * (h1 / (T1 * T1) + h2 / (T2 * T2)); });

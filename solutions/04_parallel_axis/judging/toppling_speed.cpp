@@ -84,6 +84,13 @@ void judge_toppling_speed(Lecture& lecture) {
       "This is twice the right speed, as with the moment about the edge in the blow and the one about the centre of "
       "mass in the energy.",
       "mixed_moments", [](auto length, auto height, auto g) { return 2 * toppling_speed(length, height, g); });
+  e.wrong(
+      "The impulse of the edge is level here; the centre of mass starts to rise in the blow, which takes an upward "
+      "one too.",
+      "level_impulse", [](auto length, auto height, auto g) {
+        const double omega = sqrt(6 * g * rise_of_center(length, height)) / hypot(length, height);
+        return omega * (pow(length, 2) + 4 * pow(height, 2)) / (6 * height);
+      });
   e.wrong("The centre of mass is raised by its height above the edge less the height that it has already.",
           "whole_height", [](auto length, auto height, auto g) {
             const auto diagonal = hypot(length, height);

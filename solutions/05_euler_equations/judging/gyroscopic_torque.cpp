@@ -37,8 +37,10 @@ void judge_gyroscopic_torque(Lecture& lecture) {
 
   e.wrong_output("This is the torque of the rotor on the vehicle; that of the vehicle on the rotor is opposite.",
                  "on_the_vehicle", negated);
-  e.wrong("This is the torque of the spin alone; the rotor also turns with the vehicle, with I₃ along its axis and I₁ across.", "spin_only",
-          turning([](auto, auto I3, auto spin, auto&) { return Vector3d(0, 0, I3 * spin); }));
+  e.wrong(
+      "This is the torque of the spin alone; the rotor also turns with the vehicle, with I₃ along its axis and I₁ "
+      "across.",
+      "spin_only", turning([](auto, auto I3, auto spin, auto&) { return Vector3d(0, 0, I3 * spin); }));
   e.wrong(
       "Your L has no part across the axis; the rotor turns with the vehicle about axes 1 and 2, with the moment I₁.",
       "no_transverse", turning([](auto, auto I3, auto spin, auto& n) { return Vector3d(0, 0, I3 * (n[2] + spin)); }));

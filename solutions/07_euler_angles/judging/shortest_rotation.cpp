@@ -48,6 +48,8 @@ void judge_shortest_rotation(Lecture& lecture) {
           });
   e.wrong("This is half a turn about the bisector of a and b; the angle between them is smaller.", "half_turn",
           [](auto& a, auto& b) -> Matrix3d { return -mirror(a.normalized() + b.normalized()); });
+  e.wrong("The sum of two vectors halves the angle between them only if both are equally long.", "bisector_of_lengths",
+          [](auto& a, auto& b) -> Matrix3d { return mirror(a + b) * mirror(a); });
   e.wrong("This is a reflection, with determinant −1; a rotation has +1.", "reflection",
           [](auto& a, auto& b) { return mirror(a.normalized() - b.normalized()); });
   e.wrong("The lengths of a and b enter; only the directions count.", "not_normalised",

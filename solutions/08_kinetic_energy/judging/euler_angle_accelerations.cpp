@@ -16,12 +16,12 @@ Vector3d solve(const Vector3d& q, const Vector3d& rate_of_omega, const Vector3d&
 }
 
 /// M⁻¹ (∂T/∂q − Ṁ q̇) with factors of one's own.
-auto lagrange(double gradient_factor, double rate_factor) {
+auto lagrange(const Vector3d& gradient_factors, double rate_factor) {
   return [=](const Vector3d& I, const Vector3d& q, const Vector3d& v) {
     Vector3d gradient;
     for (int i = 0; i < 3; ++i) gradient[i] = 0.5 * v.dot(mass_matrix_derivative(I, q, Vector3d::Unit(i)) * v);
     return mass_matrix(I, q).inverse() *
-           (gradient_factor * gradient - rate_factor * mass_matrix_derivative(I, q, v) * v);
+           (gradient_factors.cwiseProduct(gradient) - rate_factor * mass_matrix_derivative(I, q, v) * v);
   };
 }
 
@@ -64,9 +64,12 @@ void judge_euler_angle_accelerations(Lecture& lecture) {
   e.wrong_input<0>(exchanged_moments, "zxz_angles", exchange(0, 1));
   e.wrong_input<1>(phi_for_psi, "phi_for_psi", exchange(0, 2));
   e.wrong_input<0>(one_for_two, "symmetric_formula", first_for_second);
-  e.wrong({"The term Ṁ q̇ is missing: p = M(q) q̇, so ṗ = M q̈ + Ṁ q̇.", notes}, "mass_matrix_held", lagrange(1, 0));
-  e.wrong({"∂T/∂q is missing, as if all angles were cyclic; only φ is.", notes}, "all_angles_cyclic", lagrange(0, 1));
-  e.wrong({"∂T/∂q enters with the wrong sign: ṗ = +∂T/∂q.", notes}, "gradient_sign", lagrange(-1, 1));
+  e.wrong({"The term Ṁ q̇ is missing: p = M(q) q̇, so ṗ = M q̈ + Ṁ q̇.", notes}, "mass_matrix_held",
+          lagrange({1, 1, 1}, 0));
+  e.wrong({"∂T/∂q is missing, as if all angles were cyclic; only φ is.", notes}, "all_angles_cyclic",
+          lagrange(zero, 1));
+  e.wrong({"∂T/∂ψ is missing; ψ is cyclic only where I₁ = I₂.", notes}, "psi_cyclic", lagrange({1, 1, 0}, 1));
+  e.wrong({"∂T/∂q enters with the wrong sign: ṗ = +∂T/∂q.", notes}, "gradient_sign", lagrange({-1, -1, -1}, 1));
   e.wrong("In Ḃ only ψ changes; its entries depend on θ too.", "nutation_of_axes_lost",
           [](auto& I, auto& q, auto& v) { return solve(q, omega_rate(I, q, v), v[2] * z_axis, v); });
   e.wrong("In Ḃ only θ changes; its entries depend on ψ too.", "spin_of_axes_lost",
@@ -74,7 +77,7 @@ void judge_euler_angle_accelerations(Lecture& lecture) {
   e.survivor("angles[2] taken modulo π",
              "Half a turn about axis 3 changes no moment: at thousands of turns, digits alone.");
   e.angles_read_as_degrees("kinetic_energy_angles");
-  e.route("Lagrange's equations", lagrange(1, 1));
+  e.route("Lagrange's equations", lagrange({1, 1, 1}, 1));
   e.route("L stays in space", [](auto& I, auto& q, auto& v) {
     // q̇ = B⁻¹ I⁻¹ Aᵀ L with constant L, differentiated along the motion by a complex step.
     const Vector3d L = attitude(q) * L_body(I, q, v);

@@ -79,6 +79,11 @@ void judge_rolling_cone_energy(Lecture& lecture) {
             const double s = sin(c.half_angle), cosine = cos(c.half_angle);
             return 0.5 * c.rate * c.rate * (c.along() * s * s + c.across_in_apex() * cosine * cosine);
           }));
+  e.wrong("The energies of two rotations are added; their axes are not at right angles, and ω is to be added first.",
+          "energies_added", of_cone([](auto& c) {
+            const double s = sin(c.half_angle), cosine = cos(c.half_angle);
+            return 0.5 * c.rate * c.rate * (c.along() * (s * s + 1 / (s * s)) + c.across_in_apex() * cosine * cosine);
+          }));
   e.wrong("Your rotation is about the axis of the cone only; the cone also goes round the vertical.",
           "spin_about_axis_only",
           of_cone([](auto& c) { return c.of_center() + 0.5 * c.along() * pow(c.rate / sin(c.half_angle), 2); }));

@@ -50,6 +50,11 @@ void judge_nutation_frequency(Lecture& lecture) {
   e.wrong({"The rate of the precession is held constant while the axis nods; constant are the momenta.",
            "heavy_top_conserved"},
           "rate_kept", [](auto, auto, auto theta, auto rate) { return abs(rate) * sin(theta); });
+  e.wrong("In p_φ only the inclination in its last term changes here; the sine squared before φ̇ changes as well.",
+          "sine_kept", [](auto I1, auto mgl, auto theta, auto rate) {
+            const double b = p_psi_of(I1, mgl, theta, rate);
+            return sqrt(max(0.0, pow(rate * sin(theta), 2) + (b - 2 * rate * cos(theta)) * b));
+          });
   e.wrong({"This is the frequency of a fast top, the momentum along the axis over the moment across it, at any rate.",
            "heavy_top_advance"},
           "fast_top", [](auto I1, auto mgl, auto theta, auto rate) { return abs(p_psi_of(I1, mgl, theta, rate)); });

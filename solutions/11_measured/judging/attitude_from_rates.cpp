@@ -73,6 +73,13 @@ void judge_attitude_from_rates(Lecture& lecture) {
           return A + A * W + A * W * W / 2;
         });
       });
+  e.wrong(
+      "Each of your steps turns by 2 atan(Θ/2), as the quaternion (1, Θ/2) does when its length is made 1; it turns by "
+      "Θ.",
+      "cayley", [](auto& t, auto& omega) {
+        return stepped(t, omega,
+                       [](auto& A, auto& angle, auto) { return A * turn(angle, 2 * atan(angle.norm() / 2)); });
+      });
   e.wrong("Each of your steps takes the earlier of two rates; it takes their mean.", "earlier_rate",
           [](auto& t, auto& omega) {
             return stepped(t, omega, [&](auto& A, auto&, auto k) {
