@@ -6,6 +6,7 @@
 #include "checker/judging/comparison.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -212,6 +213,25 @@ double growth_of_error(VariantRunner& runner, const std::vector<Variant>& varian
   return one > 1 && std::abs(std::log(both) / std::log(one) - 2) < 0.15 ? one : 1;
 }
 
+/// Does the error fall with twice a number, and further with four times it, or with half of it and a quarter? Another
+/// number of a formula may be nearer to the right one by chance. What is not a number is believed.
+bool falls_step_by_step(VariantRunner& runner, const std::vector<Variant>& variants, std::size_t number,
+                        const std::vector<double>& errors, const SourceText& source) {
+  const double times = multiple(variants[number], source);
+  if (variants[number].kind != VariantKind::number || times <= 0) return true;
+  double last = sum(errors);
+  for (const double step : times > 1 ? std::array{2.0, 4.0} : std::array{0.5, 0.25}) {
+    const auto found = std::ranges::find_if(variants, [&](const Variant& each) {
+      return each.edits.front().offset == variants[number].edits.front().offset && multiple(each, source) == step;
+    });
+    if (found == variants.end()) continue;
+    const double error = sum(runner.errors(static_cast<std::size_t>(found - variants.begin())));
+    if (!(error < last)) return false;
+    last = error;
+  }
+  return true;
+}
+
 /// The number, or the end of a loop, with which the error falls, of some failing cases taken together: it follows a
 /// law, so that this limits the accuracy.
 std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& variants, const SourceText& source) {
@@ -248,7 +268,8 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (!is_of_accuracy(variants[k], source)) continue;
     const std::vector<double> others = runner.errors(k, errors.front());
-    if (others.size() == errors.size()) tell(k, variants[k].words, sum(others) / sum(errors));
+    if (others.size() == errors.size() && falls_step_by_step(runner, variants, k, errors, source))
+      tell(k, variants[k].words, sum(others) / sum(errors));
   }
   if (found || !is_near) return found;
   // Ten times as many steps may be too many to try.
@@ -528,7 +549,9 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
     const VariantKind kind = variants[k].kind;
     const bool is_tangent = kind == VariantKind::function && variants[k].edits.front().replacement == "std::tan";
     const bool is_last = kind == VariantKind::number || kind == VariantKind::assignment || is_tangent;
-    return kind == VariantKind::guard ? 3 : is_factor(variants[k]) ? 2 : is_last;
+    return kind == VariantKind::guard || kind == VariantKind::branch_opposite ? 3
+           : is_factor(variants[k])                                           ? 2
+                                                                              : is_last;
   };
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -539,8 +562,13 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
       if (each.is_branch() || (each.kind == VariantKind::loop) != in_loops || !runner.is_right(k, part_for_branches))
         continue;
       if (!branches) branches = branches_of_cases();
-      const bool may_hold =
-          !branches->deciding || (each.kind != VariantKind::guard && branches->deciding->may_hold(each));
+      const std::optional<DecidingBranch>& branch = branches->deciding;
+      const bool goes_both_ways = std::ranges::any_of(branches->mixed, [&](std::size_t other) {
+        return variants[other].edits.front().offset == each.edits.front().offset;
+      });
+      const bool may_hold = each.kind == VariantKind::branch_opposite
+                                ? goes_both_ways && !(branch && branch->repairs)
+                                : !branch || (each.kind != VariantKind::guard && branch->may_hold(each));
       if (may_hold && !only_leads_elsewhere(k))
         return repair(
             source, each.place, "slip_" + to_string(each.kind),
@@ -572,7 +600,8 @@ bool explain_by_small_change(Search& search) {
   };
   const bool are_inaccurate = std::ranges::any_of(search.reasons, is_inaccurate);
   const bool are_explained = std::ranges::any_of(search.reasons, [](const Reason& reason) {
-    return reason.kind == ReasonKind::misconception && reason.weight == Weight::possible;
+    return (reason.kind == ReasonKind::misconception || reason.kind == ReasonKind::input_transform) &&
+           reason.weight == Weight::possible;
   });
   const Sought sought = are_inaccurate ? Sought::accuracy : are_explained ? Sought::one_slip : Sought::all;
   if (const auto found = slip_or_branch(evidence.task, evidence.toolchain, evidence.cache, sought)) {

@@ -25,7 +25,8 @@ inline bool workbook_is_among(int first, int last) {
   return (one >= first && one <= last) || (other >= first && other <= last);
 }
 inline bool workbook_reached() { throw 0; }
-inline bool workbook_condition(int thrown, int never, int always, bool is_so) {
+inline bool workbook_condition(int thrown, int never, int always, int opposite, bool is_so) {
+  if (workbook_is(opposite)) is_so = !is_so;
   return workbook_is(never) ? false : workbook_is(always) ? true : is_so && workbook_is(thrown) ? workbook_reached() : is_so;
 }
 template <class T> auto workbook_value(const T& value) {
@@ -125,17 +126,17 @@ enum class Form { times, change, whole, term, matrix, step, value, call, method,
 constexpr struct {
   const char* name;
   Form form;
-} switched_kinds[] = {{"sign", Form::times},         {"factor", Form::times},
-                      {"factor", Form::change},      {"power", Form::change},
-                      {"power", Form::whole},        {"term", Form::term},
-                      {"factor", Form::matrix},      {"factor", Form::times},
-                      {"number", Form::value},       {"index", Form::value},
-                      {"name", Form::value},         {"function", Form::call},
-                      {"method", Form::method},      {"loop", Form::step},
-                      {"guard", Form::value},        {"brackets", Form::copy},
-                      {"overwritten", Form::copy},   {"assignment", Form::copy},
-                      {"branch", Form::condition},   {"branch_off", Form::condition},
-                      {"branch_on", Form::condition}};
+} switched_kinds[] = {{"sign", Form::times},          {"factor", Form::times},
+                      {"factor", Form::change},       {"power", Form::change},
+                      {"power", Form::whole},         {"term", Form::term},
+                      {"factor", Form::matrix},       {"factor", Form::times},
+                      {"number", Form::value},        {"index", Form::value},
+                      {"name", Form::value},          {"function", Form::call},
+                      {"method", Form::method},       {"loop", Form::step},
+                      {"guard", Form::value},         {"brackets", Form::copy},
+                      {"overwritten", Form::copy},    {"assignment", Form::copy},
+                      {"branch", Form::condition},    {"branch_off", Form::condition},
+                      {"branch_on", Form::condition}, {"condition", Form::condition}};
 
 Form form_of(const Variant& variant) {
   const auto number = static_cast<std::size_t>(variant.kind);
@@ -271,14 +272,14 @@ std::vector<VariantUnit::Piece> VariantUnit::pieces_of(const SourceText& source,
         break;
       }
       case Form::condition:
-        pieces.push_back(
-            {offset,
-             0,
-             4,
-             end,
-             {{fmt::format("workbook_condition({}, {}, {}, static_cast<bool>(", number_of(VariantKind::branch),
-                           number_of(VariantKind::branch_off), number_of(VariantKind::branch_on)),
-               group.all}}});
+        pieces.push_back({offset,
+                          0,
+                          4,
+                          end,
+                          {{fmt::format("workbook_condition({}, {}, {}, {}, static_cast<bool>(",
+                                        number_of(VariantKind::branch), number_of(VariantKind::branch_off),
+                                        number_of(VariantKind::branch_on), number_of(VariantKind::branch_opposite)),
+                            group.all}}});
         piece = {end, 0, -1, end - offset, {{"))", {}}}};
         break;
       case Form::copy:

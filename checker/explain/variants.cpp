@@ -997,15 +997,16 @@ class SourceMutations {
     while (behind < last_ && !is_one_of(token(behind), {";", ")", "}"})) ++behind;
     if (is_one_of(token(sign), {"<", ">", "<=", ">=", "=="}) && behind < last_)
       if (const std::size_t condition = operand_of(sign); is_one_of(token(condition - 1), {"*", "/", "+", "-"}))
-        add(VariantKind::brackets, "brackets around all of ? and :, which come after * and +", at_,
+        add(VariantKind::brackets, brackets_around_choice_words, at_,
             {{source_.tokens()[condition].offset, 0, "("}, {source_.tokens()[behind].offset, 0, ")"}});
     std::size_t first = at_, colon = at_;
-    while (first > first_ && !is_one_of(token(first - 1), {"return", "=", ";", "{", "}"})) --first;
+    while (first > first_ && !opens(token(first - 1)) && !is_one_of(token(first - 1), {"return", "=", ",", ";", "}"}))
+      first = closes(token(first - 1)) ? source_.partner_of(first - 1) : first - 1;
     while (colon < last_ && !is_one_of(token(colon), {":", ";"})) ++colon;
     if (token(colon) != ":" || !begins_operand(colon + 1)) return;
     const Token& end = source_.tokens()[end_of_factor(colon + 1)];
     if (!is_one_of(token(end_of_factor(colon + 1) + 1), {"*", "/", "+", "-"})) return;
-    add(VariantKind::brackets, "brackets around all of ? and :, which come after * and +", at_,
+    add(VariantKind::brackets, brackets_around_choice_words, at_,
         {{source_.tokens()[first].offset, 0, "("}, {end.offset + end.text.size(), 0, ")"}});
   }
 
@@ -1256,7 +1257,7 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
 }  // namespace
 
 std::vector<Variant> branch_variants(const SourceText& source) {
-  constexpr std::size_t most = 36;
+  constexpr std::size_t most = 48;
   const std::vector<Token>& tokens = source.tokens();
   const Conditions conditions(source);
   std::vector<Variant> found;
@@ -1272,6 +1273,10 @@ std::vector<Variant> branch_variants(const SourceText& source) {
                        {{begin, end - begin, ""}},
                        begin_of(body.first),
                        end_of(body.second)});
+    found.push_back({VariantKind::branch_opposite,
+                     "the opposite of this condition",
+                     source.place_of(begin_of(condition.first)),
+                     {{begin, end - begin, ""}}});
   };
   const std::size_t last = std::min(tokens.size(), last_token_looked_at);
   for (std::size_t k = 1; k + 2 < last && found.size() < most; ++k) {

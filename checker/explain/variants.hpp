@@ -22,8 +22,8 @@ struct Edit {
 /// What is changed: slips (`inverse` is one over an operand, `power` its square, root, absolute value, transpose or
 /// unit vector, `whole` the square or root of all behind an = or return, or one over it, `term` and `matrix` what is
 /// missing before a sum or a product; `steps` are many more steps of a loop); the condition of a branch, which throws
-/// where it is true, never is true or always is; what needs a copy of the file. `brackets` stand around a sum,
-/// `overwritten` is a value that the line above has changed, `assignment` another = or
+/// where it is true, never is true, always is, or is where it was not; what needs a copy of the file. `brackets` stand
+/// around a sum, `overwritten` is a value that the line above has changed, `assignment` another = or
 /// +=.
 enum class VariantKind {
   sign,
@@ -47,6 +47,7 @@ enum class VariantKind {
   branch,
   branch_off,
   branch_on,
+  branch_opposite,
   division,
   bug,
   call,
@@ -69,7 +70,8 @@ struct Variant {
   bool is_branch() const { return body_end > 0; }
 };
 
-/// What is said of one kind of `brackets`.
+/// What is said of two kinds of `brackets`.
+inline constexpr const char* brackets_around_choice_words = "brackets around all of ? and :, which come after * and +";
 inline constexpr const char* brackets_before_method_words =
     "brackets around what stands before the method, which binds first";
 

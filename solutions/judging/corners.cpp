@@ -583,6 +583,9 @@ std::vector<NamedChange> changes_of(const ExerciseReference& exercise) {
     for (std::size_t b = 0; b < exercise.arguments.size(); ++b) add_turned(changes, exercise, a, b);
     for (std::size_t b = a + 1; b < exercise.arguments.size(); ++b) {
       if (exercise.arguments[a].kind != exercise.arguments[b].kind) continue;
+      // Of a few possible results another one is soon the same by chance.
+      if (exercise.result_kind == Kind::integer && !(exercise.arguments[a].unit == exercise.arguments[b].unit))
+        continue;
       const std::string names = exercise.arguments[a].name + " and " + exercise.arguments[b].name;
       changes.push_back({exercise.arguments[a].name + "_" + exercise.arguments[b].name + "_exchanged",
                          names + " exchanged", [a, b](Values& inputs) { std::swap(inputs[a], inputs[b]); }});

@@ -433,8 +433,10 @@ std::optional<Reason> diagnose_input_transform(const ExerciseReference& exercise
   if (!all_deciding_cases_answered(exercise, answers) || !is_wrong_somewhere(exercise, answers)) return std::nullopt;
   for (const InputTransform& transform : exercise.input_transforms) {
     if (!agree(exercise, answers, [&](std::size_t i) { return transform.outputs[i]; })) continue;
+    // Of a few possible results another one is soon the same by chance.
     return Reason{ReasonKind::input_transform, transform.name,
-                  fmt::format("At every case your result is the right one for {}.", transform.message)};
+                  fmt::format("At every case your result is the right one for {}.", transform.message),
+                  exercise.result_kind == Kind::integer ? Weight::possible : Weight::cause};
   }
   return std::nullopt;
 }
