@@ -287,11 +287,19 @@ class CompilationInProgress {
       return !is_missing(symbol) || symbol.base_name().empty() || output.find(symbol.shown) == std::string::npos;
     });
     const auto place_in_output = [&](const Symbol& symbol) { return output.find(symbol.shown); };
-    if (const auto first = std::ranges::min_element(used, {}, place_in_output); first != used.end())
-      refuse_symbol(Refusal::compile_error, "undefined_function", first->base_name(), output,
+    if (const auto first = std::ranges::min_element(used, {}, place_in_output); first != used.end()) {
+      const std::string name = first->base_name();
+      for (const Symbol& symbol : symbols("unit.o"))
+        if (symbol.is_defined() && search(symbol.shown, "\\b" + name.substr(name.rfind(':') + 1) + "\\("))
+          refuse_symbol(Refusal::compile_error, "undefined_function", name, output,
+                        fmt::format("What is called here is `{}`, which your file only declares: what it defines is "
+                                    "`{}`, with other parameters or in another namespace.",
+                                    in_plain_words(first->shown), in_plain_words(symbol.shown)));
+      refuse_symbol(Refusal::compile_error, "undefined_function", name, output,
                     fmt::format("Your file uses `{}`, which it does not define, nor does an earlier exercise of yours; "
                                 "write what you need into this file.",
-                                first->base_name()));
+                                name));
+    }
   }
 
   /// With the place where the file mentions the function last, for declarations come first.

@@ -33,6 +33,10 @@ std::string elsewhere(const SourceText& source, Place place, const std::string& 
     const std::string around = fmt::format("{} {}", tokens[k - 1].text, tokens[k + 1].text);
     const bool is_parameter{search(tokens[k + 1].text, "^[,)]$")};
     if (tokens[k].text != name || line == place.line || (is_parameter && line > place.line)) continue;
+    const std::size_t head = source.opening_around(k);
+    if (head > 0 && tokens[head - 1].text == "for" && line < place.line &&
+        tokens[source.partner_of(head) + 1].text != "{")
+      return fmt::format("it belongs to the for of line {}, which has no braces, and so only one statement.", line);
     if (search(around, R"(^(?!return|else|case|throw|new|goto|and|or|not)[A-Za-z_]\w* [(=;,{)]$)"))
       return line > place.line
                  ? fmt::format("it is declared below, in line {}; move that up.", line)

@@ -167,7 +167,7 @@ const std::vector<TextMistake>& table() {
        "A comparison a == b == c does not compare three numbers in C++; write a == b && b == c."},
       {"comma_operator", R"((?:=|^return) (\( (?:[^(),]|\()" + inside + R"(\))+ , )" + inside + R"(\)) ;$)",
        "Of `$1` only the last value is kept: values in parentheses follow a name, as in Vector2d v(a, b)."},
-      {"whole_sum", R"((accumulate) \( )" + inside + R"(, 0 (?:\)|,))",
+      {"whole_sum", R"((accumulate|inner_product|reduce) \( )" + inside + R"(, 0 (?:\)|,))",
        "This sum begins with the whole number 0 and drops what follows every decimal point: begin with 0.0."},
       {"divisor", R"((/ 1(?:\.0*)?) [-+] \w)", "`$1` divides by 1, not by what follows: write / (1 + x) for that."},
       {"rounded_pi", R"((?:^| )(3\.14\d*)(?= |$))", "$1 is only near π; write std::numbers::pi.", is_rounded_pi, "",
@@ -243,6 +243,9 @@ const std::vector<TextMistake>& table() {
        R"(^(Matrix[234]d|Vector[234]d) (\w+) (?:\( \d \) )?;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
        "`$2` begins with no value, but is added to below: write $1 $2 = $1::Zero();", nullptr, own_types, Weight::cause,
        Fix::none, false},
+      {"uninitialized_variable",
+       R"(^(double|int|float) (\w+) ;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
+       "`$2` begins with no value, but is added to below: write $1 $2 = 0;"},
       {"uninitialized_variable",
        R"(^(?:double|int|Vector\w+|Matrix\w+) (\w+) ;\nif \( (?:(?!\b\1\b)[^\n])* \) (?:\{\n)?\1 = [^\n]* ;(?:\n\})?\nreturn [^\n]*\b\1\b[^\n]*$)",
        "`$1` has a value only where the condition below it holds: give it one here."},
@@ -488,7 +491,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
     found.push_back(source.reason(source.place_of(tokens[token].offset), name, match.fill(sentence), weight, fix));
     found.back().needs_failure = needs_failure;
   };
-  std::string arguments = " ";  // of all functions
+  std::string arguments = " ";  // of all functions, and local variables
   int depth = 0;                // of braces that no namespace opens
   const std::vector<Statement> statements = statements_of(tokens);
   const std::string values_of = value_functions(statements);
@@ -551,9 +554,12 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
           "`$1` hands its result back, which is dropped here: write x = $1(...).",
           has_one_of(tokens, " cout cerr printf static ") ? Weight::possible : Weight::cause);
     const Match kept = search(statement.text, R"(^(static )?(?:[\w:<>]+ )+?(\w+) (?:;|=|\(|\{))");
-    const bool is_set_once =
-        !is_outside && (search(statement.text, R"(^static (?!const|auto)[^=]* (?:=|\{|\() )") ||
-                        (search(statement.text, "^static const [^=]* = ") && names_one_of(statement.text, arguments)));
+    const bool is_set_once = !is_outside && (search(statement.text, R"(^static (?!const|auto)[^=]* (?:=|\{|\() )") ||
+                                             (search(statement.text, R"(^static const [\w:<> ]* (?:=|\(|\{) )") &&
+                                              names_one_of(statement.text, arguments)));
+    if (!is_outside &&
+        search(statement.text, R"(^(?:const )?(?:double|auto|(?:Eigen :: )?(?:Vector|Matrix)\w+) \w+ =)"))
+      for (const Match& variable : search_all(statement.text, R"([\w,] (\w+) =(?!=))")) arguments += variable[1] + " ";
     const bool is_kept = is_outside || (kept && !kept[1].empty());
     if (kept && is_kept && (is_set_once || accumulates(tokens, statement.token_at(kept.offsets[2]))))
       add(statement.tokens.front(), "static_variable", kept,

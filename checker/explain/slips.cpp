@@ -17,6 +17,7 @@ namespace {
 const std::string brackets = R"((?(DEFINE)([({](?:[^(){}]|(?1))*[)}])))";
 #define ANY R"((?:[^(){},;]|(?1))+)"        // between commas
 #define PART R"(\s*((?:[^(){},;]|(?1))+))"  // the same, as a group
+#define COMPARISON R"((?:[^(){};,?&|<>=!]|(?1))+[<>]=?(?:[^(){};,?&|<>=!]|(?1))+)"
 
 /// What is written, and what was meant, with $2, $3, ... of the pattern.
 struct Slip {
@@ -36,6 +37,12 @@ constexpr Slip slip_table[] = {
      "", "With &, `$3` is no copy but a second name of `$4`: what changes the one changes the other."},
     {"scalar_last", R"(\bQuaterniond(?:\s+\w+)?\s*\(()" PART "," PART "," PART "," PART R"()\))", "$6, $3, $4, $5",
      "Quaterniond takes w first: Quaterniond(w, x, y, z), although coeffs() holds x, y, z, w."},
+    {"scalar_last", R"((\b(\w+)\s*\.\s*coeffs\s*\(\s*\)(?!\s*(?:<<|=[^=]))))",
+     "Eigen::Vector4d($3.w(), $3.x(), $3.y(), $3.z())",
+     "coeffs() holds x, y, z, w in this order: w is `$3.w()`, and the vector `$3.vec()`."},
+    {"scalar_last",
+     R"(\.\s*coeffs\s*\(\s*\)\s*(?:<<|=\s*(?:[\w:]*Vector4d\s*)?\()()" PART "," PART "," PART "," PART R"()[;)])",
+     "$4, $5, $6, $3", "coeffs() holds x, y, z, w in this order: w comes last, unlike in Quaterniond(w, x, y, z)."},
     {"size_in_bytes", R"((sizeof\s*\(\s*(\w+)\s*\)\s*/\s*sizeof\s*(?1)))", "$3.size()",
      "sizeof counts the bytes of the object, not its entries: these are `$3.size()`."},
     {"columns_for_rows", R"(\bMap\s*<\s*(?:const\s+)?((?:Eigen\s*::\s*)?Matrix([234])d))",
@@ -66,6 +73,10 @@ constexpr Slip slip_table[] = {
      "std::norm of a complex number is the square of its length, which is std::abs."},
     {"truth_value", R"(\b(bool)\s+(\w+)\s*[=({])", "double",
      "A bool is only true or false, 1 or 0, and no other number: make `$3` an int or a double."},
+    {"truth_value",
+     R"((?|\b(?:double|int|auto)\s+\w+\s*=\s*()" COMPARISON R"()\s*;|[*>]\s*\(()" COMPARISON R"()\)|\(()" COMPARISON
+     R"()\)(?=\s*\*)))",
+     "($2) ? 1 : -1", "A comparison counts as 1 or 0, and never as -1: for a sign, write x > 0 ? 1 : -1."},
     {"base_first", R"(\bpow\s*\(()" PART "," PART R"()\))", "$4, $3", "The base comes first in pow(base, exponent)."},
     {"size_first", R"(\bcopysign\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The size comes first in copysign(size, sign)."},
@@ -102,6 +113,56 @@ constexpr Slip slip_table[] = {
      "The bracket of abs ends behind the comparison here, of which it takes the size: 0 or 1. Close it before."},
     {"copy_of_itself", R"(\bfunction\s*<[^;{}]*>\s*(\w+)\s*(?:;\s*\w+\s*)?=\s*\[([^\]&]*)\])", "&",
      "The lambda keeps a copy of `$2` from before it was given this lambda: write [&].", 3},
+    {"place_for_element",
+     R"((((?:std\s*::\s*)?\b(?:min|max)_element\s*(?1))\s*-\s*(?:\w+\s*\.\s*begin|(?:std\s*::\s*)?\bc?begin)\s*(?1)))",
+     "*$3",
+     "Minus begin() this is the place of the element, counted from 0: the element itself is *std::max_element(...)."},
+    {"character", R"((?:\bchar\s+(?:(\w+)\b[^]*?\b\2)|\bstring\b[^]*?\[[^\]]*\])\s*-\s*([1-9])\b)", "'$3'",
+     "A digit in a text is a character, which counts as another number ('0' as 48): subtract '$3', not $3.", 3},
+    {"modulo_first", R"(((\b\w+)\s*\*\s*((?:\w+|(?1))\s*%\s*\w+)))", "$3 * ($4)",
+     "* and % are computed from the left to the right: write `$3 * ($4)`."},
+    {"loop_step", R"(\bfor\s*\([^;]*;[^;]*;\s*((\w+)\s*\+=\s*[2-9])\s*\))", "++$3",
+     "This loop leaves out every second turn, or more: write ++$3."},
+    {"length_not_1", R"(\bAngleAxisd(?:\s+\w+)?\s*[({])" ANY R"(,()" PART R"()[)}])", "($3).normalized()",
+     "AngleAxisd takes an axis of length 1: give it that of `normalized()`."},
+    {"exact_comparison",
+     R"((?:\bif\s*\(|\breturn\b|=|&&|\|\||\bwhile\s*\()\s*(([\w.\[\]]+(?1)?)\s*==\s*([\w.\[\]-]+))(?=\s*(?:\)|&&|\|\||\?|;)))",
+     "[](auto x, auto y) { if constexpr (requires { std::abs(x - y) < 1e-9; }) return std::abs(x - y) < 1e-9; else "
+     "return x == y; }($3, $4)",
+     "Rounded numbers are hardly ever equal: compare std::abs of their difference with a small number."},
+    {"line_twice", R"([;{})]\s*([^;{}=()]+(?1)?\s*[-+*/]?=[^;{}=]+;)(\s*\2))", "",
+     "This statement stands twice, one after the other, and its effect is doubled: leave one out.", 3},
+    {"bracket_too_early",
+     R"(\b(?:sqrt|abs|sin|cos|tan|exp|log|a(?:sin|cos|tan))\s*\((((?:[^(){};,]|(?1))+)\)\s*([-+*/])\s*((?:[^(){};,+-]|(?1))+?))\s*[-+;,)])",
+     "$3 $4 $5)", "The bracket of this function closes too early: what follows belongs into it."},
+    {"bracket_too_late",
+     R"(\b(?:sqrt|abs|sin|cos|tan|exp|log|a(?:sin|cos|tan))\s*\((((?:[^(){};,]|(?1))+?)\s*([-+*/])\s*((?:[^(){};,+-]|(?1))+)\)))",
+     "$3) $4 $5", "The bracket of this function closes too late: its last part does not belong into it."},
+    {"difference_for_order",
+     R"(\b(?:sort|stable_sort|nth_element|(?:min|max|minmax)_element|lower_bound|upper_bound)\s*\((?=[^;]*\{\s*return\b)[^;]*?\breturn\b[^;<>]*?(?<!return)(?<![(,=])\s(-)\s[^;<>]*;)",
+     "<", "What says which comes first is true or false, and every number but 0 is true: write a < b."},
+    {"extreme_from_zero",
+     R"((?:\bdouble\s+|,\s*)(\w+)\s*=\s*(0(?:\.0*)?)\s*[,;](?=[^]*(?:\b\2\s*=\s*(?:std\s*::\s*)?min\s*\(|<\s*\2\b|\b\2\s*>)))",
+     "HUGE_VAL",
+     "No positive number is smaller than the 0 that `$2` begins with: begin with the first of them, or infinity.", 3},
+    {"extreme_from_zero",
+     R"((?:\bdouble\s+|,\s*)(\w+)\s*=\s*(0(?:\.0*)?)\s*[,;](?=[^]*(?:\b\2\s*=\s*(?:std\s*::\s*)?max\s*\(|>\s*\2\b|\b\2\s*<)))",
+     "-HUGE_VAL",
+     "No negative number is larger than the 0 that `$2` begins with: begin with the first of them, or -infinity.", 3},
+    {"captured_value", R"([=(,{]\s*\[(=|\w+(?:\s*,\s*\w+)*)\]\s*[({])", "&",
+     "This lambda keeps copies of variables as they are here, and does not see what they are given later: write [&]."},
+    {"rounded_counter",
+     R"(\b(?:for\s*\([^;]*;|while\s*\()\s*(\w+)\s*<(?!=)\s*((?:[^(){};]|(?1))+?)()\s*[;)](?=[^]*?\b\2\s*\+=\s*([\w.]+)\s*[;)]))",
+     " - $5 / 2",
+     "`$2` is a sum of rounded steps, here a little below the end after the last one, and the loop makes one turn too "
+     "many: count the turns by an int.",
+     4},
+    {"rounded_counter",
+     R"(\b(?:for\s*\([^;]*;|while\s*\()\s*(\w+)\s*<=\s*((?:[^(){};]|(?1))+?)()\s*[;)](?=[^]*?\b\2\s*\+=\s*([\w.]+)\s*[;)]))",
+     " + $5 / 2",
+     "`$2` is a sum of rounded steps, here a little above the end after the last one, and the loop makes one turn too "
+     "few: count the turns by an int.",
+     4},
     {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.\s*(?:sum|mean|prod|norm|squaredNorm|maxCoeff|minCoeff)\b)",
      "rowwise", "colwise() has a result for each column; that over all columns is rowwise()."},
 };
@@ -179,6 +240,8 @@ class Slips {
       tell("method_brackets",
            "A method belongs to what stands directly before its dot, and comes before * and +: put brackets around all "
            "that it is meant for.");
+    else if (each.words == brackets_around_choice_words)
+      tell("choice_brackets", "? and : come after * and + and comparisons: put brackets around all of a ? b : c.");
     else if (each.kind == VariantKind::overwritten && is_used_in_next_statement(each))
       tell("overwritten",
            "The line above has changed this variable, and here the value from before is needed: keep that in a "
@@ -386,6 +449,7 @@ class Slips {
 
 #undef ANY
 #undef PART
+#undef COMPARISON
 
 }  // namespace
 
