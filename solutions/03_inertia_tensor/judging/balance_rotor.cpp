@@ -114,6 +114,13 @@ void judge_balance_rotor(Lecture& lecture) {
             const Vector2d pair = moment_of_unbalance(m, r) / (correction * (planes[1] - planes[0]));
             return in_planes(Vector2d(half + pair), Vector2d(half - pair), planes);
           });
+  e.wrong("The rotor counts as all its mass in the centre of mass; masses at different heights have a moment besides.",
+          "mass_in_the_center", [](auto& m, auto& r, auto& planes, auto correction) {
+            const Vector2d all = static_unbalance(m, r);
+            const Vector2d moment = (m.size() > 0 ? center_of_mass(m, r).z() : 0) * all;
+            const double apart = correction * (planes[0] - planes[1]);
+            return in_planes((planes[1] * all - moment) / apart, (moment - planes[0] * all) / apart, planes);
+          });
   e.wrong("Each mass is balanced in the plane that is nearer to it; a mass beside a plane also exerts a moment.",
           "distance_to_nearest", [](auto& m, auto& r, auto& planes, auto correction) {
             std::array<Vector2d, 2> sums{Vector2d::Zero(), Vector2d::Zero()};

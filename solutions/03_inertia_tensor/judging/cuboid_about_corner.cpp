@@ -23,6 +23,11 @@ void judge_cuboid_about_corner(Lecture& lecture) {
   e.wrong_terms("Your diagonal has 1/12, which belongs to the centre of the cuboid; about a corner it is 1/3.",
                 "diagonal_about_center", {1. / 12, -1. / 4});
   e.wrong_terms("This is the tensor about the centre; asked for is the corner.", "about_center", {1. / 12, 0});
+  e.wrong("From the centre to the corner each moment grows by M d² here, and no product changes; it is M (d² 1 − d d).",
+          "isotropic_shift", [](auto M, auto a, auto b, auto c) -> Matrix3d {
+            const Vector3d edges(a, b, c);
+            return of_cuboid(M, edges, 1. / 12, 0) + M * edges.squaredNorm() / 4 * Matrix3d::Identity();
+          });
   e.wrong_terms("Your products have −1/3; the mean of xy is ½a·½b, giving −1/4.", "products_third", {1. / 3, -1. / 3});
   e.wrong_terms("Your products have −1/2; the mean of xy is ½a·½b, giving −1/4.", "products_half", {1. / 3, -1. / 2});
   e.wrong_terms({"The products of inertia are missing; the edges through the corner are not principal axes.", products},

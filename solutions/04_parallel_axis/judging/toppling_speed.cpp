@@ -91,6 +91,9 @@ void judge_toppling_speed(Lecture& lecture) {
         const double omega = sqrt(6 * g * rise_of_center(length, height)) / hypot(length, height);
         return omega * (pow(length, 2) + 4 * pow(height, 2)) / (6 * height);
       });
+  e.wrong("The motion of the centre of mass counts twice in the energy here: the moment about the edge includes it.",
+          "translation_twice",
+          [](auto length, auto height, auto g) { return sqrt(4. / 7) * toppling_speed(length, height, g); });
   e.wrong("The centre of mass is raised by its height above the edge less the height that it has already.",
           "whole_height", [](auto length, auto height, auto g) {
             const auto diagonal = hypot(length, height);

@@ -36,14 +36,18 @@ void judge_euler_equations_general(Lecture& lecture) {
           [](auto& I, auto& w, auto& tau) { return I.inverse() * (tau - cross(w, diagonal_part(I) * w)); });
   e.wrong("These are Euler's equations with principal moments; ω and τ come on other axes.", "moments_for_tensor",
           [](auto& I, auto& w, auto& tau) { return euler_equations(PrincipalFrame(I).moments, w, tau); });
-  e.wrong(
-      "ω is put on the principal axes here and the torque is not; all vectors of Euler's equations are on these axes.",
-      "torque_on_given_axes", [](auto& I, auto& w, auto& tau) -> Vector3d {
-        const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I);
-        const Matrix3d axes = solver.eigenvectors();
-        const Vector3d on_axes = axes.transpose() * w, moments = solver.eigenvalues();
-        return axes * (tau - axes.determinant() * cross(on_axes, L_of(moments, on_axes))).cwiseQuotient(moments);
-      });
+  for (const bool right_handed : {false, true})
+    e.wrong(
+        "ω is put on the principal axes here and the torque is not; all vectors of Euler's equations are on these "
+        "axes.",
+        right_handed ? "torque_on_given_axes_right_handed" : "torque_on_given_axes",
+        [=](auto& I, auto& w, auto& tau) -> Vector3d {
+          const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I);
+          Matrix3d axes = solver.eigenvectors();
+          if (right_handed) axes.col(2) = axes.col(0).cross(axes.col(1));
+          const Vector3d on_axes = axes.transpose() * w, moments = solver.eigenvalues();
+          return axes * (tau - axes.determinant() * cross(on_axes, L_of(moments, on_axes))).cwiseQuotient(moments);
+        });
   e.wrong_input<0>(products_sign, "products_flipped", products_flipped);
   e.wrong_terms(torque_missing, "no_torque", {0, -1});
   e.wrong_terms(torque_sign, "sign_of_torque", {-1, -1});

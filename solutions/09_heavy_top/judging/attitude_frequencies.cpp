@@ -127,6 +127,8 @@ void judge_attitude_frequencies(Lecture& lecture) {
           [=](auto& I, auto n) { return without_coupling(I, n, abs(Ratios(I).roll), abs(Ratios(I).yaw)); });
   e.wrong(not_coupled, "not_coupled_no_number",
           [=](auto& I, auto n) { return without_coupling(I, n, Ratios(I).roll, Ratios(I).yaw); });
+  e.wrong(not_coupled, "not_coupled_or_zero",
+          [=](auto& I, auto n) { return without_coupling(I, n, max(0.0, Ratios(I).roll), max(0.0, Ratios(I).yaw)); });
   e.wrong("The frame turns with the orbit; your swings across the plane are those under the torque alone.",
           "frame_at_rest", [](auto& I, auto n) {
             const Ratios k(I);

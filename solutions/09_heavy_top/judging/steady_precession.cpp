@@ -33,6 +33,11 @@ void mistakes_of_steady_precession(Exercise& e) {
           [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
             return Vector2d(mgl / (I3 * omega3), I3 * omega3 / (I1 * cos(theta)));
           });
+  e.wrong("These are the limits for a fast top, mgl/(I₃ω₃) and I₃ω₃/(I₁ cos θ); the exact rates differ.",
+          "fast_top_in_order", [](auto I1, auto I3, auto mgl, auto omega3, auto theta) {
+            const double slow = mgl / (I3 * omega3), fast = I3 * omega3 / (I1 * cos(theta));
+            return abs(fast) < abs(slow) ? Vector2d(fast, slow) : Vector2d(slow, fast);
+          });
   e.wrong("The inclination does not enter your rates; the level part of L contains cos θ.", "no_cosine",
           [](auto I1, auto I3, auto mgl, auto omega3, auto) {
             return steady_precession(I1, I3, min(mgl, 0.999 * pow(I3 * omega3, 2) / (4 * I1)), omega3, 1e-9);
