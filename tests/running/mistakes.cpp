@@ -223,7 +223,7 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
   }
   CHECK(nothing_left_running());
 
-  // Every mistake of the tables is in a file, or made by another compiler.
+  // Every mistake of the tables is in a file, or made by another compiler, and has a paragraph of the notes.
   for (const Snippet& file : snippets_in("mistakes.txt"))
     names += boost::replace_all_copy(file.said, "; ", "\n") + "\n";
   for (const auto* table : {&error_table, &warning_table})
@@ -231,6 +231,9 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
       INFO(std::string(mistake.name));
       CHECK((*mistake.name == '\0' || has("\n" + names, fmt::format("\n{} ", mistake.name))));
     }
+  const auto notes = read_file(WORKBOOK_TEST_SOURCES "/../../lectures/00_eigen/notes.md").value_or("");
+  for (const Match& line : search_all("\n" + names, R"(\n([a-z]\w+) )"))
+    CHECK(search(notes, R"([ \n])" + line[1] + R"([ \n])"));
 }
 
 TEST_CASE("what a text gives away by itself is told, and right lines that look like it are not") {
