@@ -59,12 +59,12 @@ Statement joined(std::span<const Statement> statements) {
 }
 
 /// " = += " for one of two tokens
-bool is_one_of(std::span<const Token> tokens, std::size_t i, std::string_view texts) {
+bool token_is(std::span<const Token> tokens, std::size_t i, std::string_view texts) {
   return i < tokens.size() && texts.find(" " + std::string(tokens[i].text) + " ") != std::string_view::npos;
 }
 
 bool has_one_of(std::span<const Token> tokens, std::string_view texts) {
-  return std::ranges::any_of(tokens, [&](const Token& token) { return is_one_of({&token, 1}, 0, texts); });
+  return std::ranges::any_of(tokens, [&](const Token& token) { return token_is({&token, 1}, 0, texts); });
 }
 
 /// Does a text name one of the " words with blanks between "?
@@ -200,19 +200,12 @@ const std::vector<TextMistake>& table() {
       {"unsigned_difference",
        R"(^for \( (?:std :: )?(?:unsigned|size_t)(?: int| long)? (\w+) = (?:[^\n]*\n)*?[^\n]*(?:\(|=|,) (\d+ - (?:\d+ \* )?\1)(?! \])\b[^\n]*$)",
        "`$2` is never negative but huge, for `$1` has no sign: count with int.", nullptr, "", Weight::possible},
-      {"size_for_end", R"(\. (block) \( (?:[^(),]* , )?(\w+) , (?:\w+ , )?\2 \+ \w+ \))",
-       "The last numbers of $1() are sizes, not ends: $1(row, column, rows, columns).", nullptr, "", Weight::possible},
-      {"size_for_end", R"(\. (segment) \( (\w+) , \2 \+ \w+ \))",
-       "The last number of $1() is a size, not an end: $1(first, how many).", nullptr, "", Weight::possible},
       {"modulo_first", R"([-+] (\d{1,9} % \d{1,9})(?= |$))",
        "`$1` is a number of its own: % binds before + and -. Write (i + 1) % 3 for what is meant."},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
        "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
       {"size_in_bytes", R"(< (sizeof \( (\w+) \)))", "`$1` counts bytes: how many elements there are is `$2.size()`.",
        nullptr, "", Weight::possible},
-      {"colwise", R"(^(?:return|(?:const )?Vector3d \w+ =) \w+ \. (colwise) \( \) \. (sum|mean) \( \))",
-       "$1().$2() has one number for each column: the $2 of all columns is rowwise().$2().", nullptr, "",
-       Weight::possible},
       {"unused_value",
        R"(^(?:(?:for|if|while) \( )" + inside + R"(\) )?(?!(?:return|for|if|while|switch)\b)[\w.]+(?: \( )" + inside +
            R"(\)| \[ [^\[\]]* \])* (==) [^\n]* ;$)",
@@ -234,10 +227,6 @@ const std::vector<TextMistake>& table() {
        "This loop runs one too far: the last index is $2 - 1, so write < for <=.", nullptr, "", Weight::possible},
       {"float_precision", R"((?:^| )(float|(?:Matrix|Vector)\w+f)\b)", "A float keeps only about 7 digits; use double.",
        nullptr, "", Weight::possible, Fix::as_double},
-      // A number of steps or an index may be made so.
-      {"whole_cast",
-       R"(^(?!(?:const )?(?:int|long|auto|unsigned|for|while|(?:std :: )?size_t)\b|[^\n]*\b1 \+ (?:static_cast <|int|\( int))[^\[\n]*?(?:^| )(?|static_cast < (int|long) > \(|\( (int|long) \)|(int|long) \()(?= [^\n;]*(?:/|\d\.\d|sqrt|sin|cos|pow|norm))(?! (?:std :: )?(?:round|floor|ceil|trunc)\b))",
-       "$1 keeps only what stands before the decimal point.", nullptr, "", Weight::possible, Fix::as_double},
       // Several statements.
       {"uninitialized_variable",
        R"(^(Matrix[234]d|Vector[234]d) (\w+) (?:\( \d \) )?;\n(?:(?!(?:if|else|switch|while|do)\b|[^\n]*\b\2\b)[^\n]*\n)*(?:for \( [^\n]*\) )?\2 [-+]= [^\n]*$)",
@@ -259,8 +248,6 @@ const std::vector<TextMistake>& table() {
       {"captured_copy",
        R"((\[ (?:=|\w+)[^&\]\n]*\]) \( [^\n]* mutable \{\n(?:[^\n]*\n)*?(?!return)[^\n]* [-+*/]?= [^\n]*$)",
        "$1 gives this lambda copies of its own, and what it changes there is not changed outside: write [&]."},
-      {"size_for_columns", R"(\b(\w+) \. (?:col|rowwise) \( [^\n]*(?:\n[^\n]*)*/ \1 \. size \( \)(?! / 3)[^\n]*$)",
-       "`$1.size()` counts all entries: the number of columns is `$1.cols()`."},
       {"kept_view",
        R"(^(?:const )?auto (\w+) = ([^\n]*\. (?:col|row|head|tail|segment|block|diagonal)\b[^\n]*) ;\n\2 = [^\n]* ;\n[^\n]* = \1 ;$)",
        "With auto, `$1` is no copy but `$2` itself, which has changed before it is used: write its type."},
@@ -280,8 +267,6 @@ const std::vector<TextMistake>& table() {
        nullptr, "", Weight::possible},
       {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
        "What is printed is no result: return it in place of the 0.", nullptr, " if "},
-      {"copied_element", R"(for \( [^\n&]*\b(\w+) : [^\n]*\) (?:\{\n(?=[^\n]*\n\}$))?\1 [-+*/]?= [^\n]* ;(?:\n\})?$)",
-       "`$1` is a copy of the element: to change the list itself, write & behind the type."},
       {"restarted_sum",
        R"(^(?:for|while) \( .* \) \{\n(\w+) (?:= 0(?:\.0*)?|\. setZero \( \)) ;\n\1 [-+]= [^\n]* ;\n\}$)",
        "`$1` begins at 0 again in every turn of the loop: give it this value before the loop."},
@@ -305,10 +290,10 @@ bool never_changes(std::span<const Token> tokens, std::size_t brace, const std::
   for (std::size_t k = brace; k < tokens.size(); ++k) {
     depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
     if (depth == 0) return true;
-    if (is_one_of(tokens, k, " break return throw goto exit ")) return false;
-    const bool is_argument = is_one_of(tokens, k - 1, " ( , ") && !(k > 2 && is_one_of(tokens, k - 3, " . "));
-    if (is_one_of(tokens, k, names) && (is_argument || is_one_of(tokens, k + 1, " = += -= *= /= ++ -- << . [ ( ") ||
-                                        is_one_of(tokens, k - 1, " ++ -- & >> ")))
+    if (token_is(tokens, k, " break return throw goto exit ")) return false;
+    const bool is_argument = token_is(tokens, k - 1, " ( , ") && !(k > 2 && token_is(tokens, k - 3, " . "));
+    if (token_is(tokens, k, names) && (is_argument || token_is(tokens, k + 1, " = += -= *= /= ++ -- << . [ ( ") ||
+                                       token_is(tokens, k - 1, " ++ -- & >> ")))
       return false;
   }
   return false;
@@ -325,48 +310,15 @@ std::size_t never_read(std::span<const Token> tokens, std::size_t declared) {
   std::size_t statement = 0, last = 0;  // the first token of this one, and of the last that names it
   for (std::size_t k = declared; k < tokens.size() && depth >= 0; ++k) {
     depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
-    if (is_one_of(tokens, k - 1, " ; { } ")) statement = k;
-    const bool is_lambda = tokens[k].text == "[" && is_one_of(tokens, k + 1, " = ");
-    const bool is_captured = tokens[k].text == tokens[declared].text && is_one_of(tokens, k - 1, " [ ") &&
-                             is_one_of(tokens, k - 2, " = ( , ");
+    if (token_is(tokens, k - 1, " ; { } ")) statement = k;
+    const bool is_lambda = tokens[k].text == "[" && token_is(tokens, k + 1, " = ");
+    const bool is_captured =
+        tokens[k].text == tokens[declared].text && token_is(tokens, k - 1, " [ ") && token_is(tokens, k - 2, " = ( , ");
     if (tokens[k].text == "&" || is_lambda || is_captured) return 0;  // another name of it, or what sees it
     if (tokens[k].text == tokens[declared].text) last = depth == 0 ? statement : 0;
   }
-  const bool is_given = tokens[last].text == tokens[declared].text && is_one_of(tokens, last + 1, " = += -= *= /= ");
+  const bool is_given = tokens[last].text == tokens[declared].text && token_is(tokens, last + 1, " = += -= *= /= ");
   return last > declared && is_given ? last : 0;
-}
-
-/// double a = 1; auto f = [a] { … }; a = 2; f() @returns the token of the name that a lambda keeps as it was, or 0
-std::size_t kept_by_lambda(const SourceText& source, std::size_t open) {
-  const std::vector<Token>& tokens = source.tokens();
-  const std::size_t close = source.partner_of(open);
-  std::size_t body = close;
-  while (body < tokens.size() && !is_one_of(tokens, body, " { ; ")) ++body;
-  if (open < 2 || !is_one_of(tokens, open - 1, " = ") || body >= tokens.size()) return 0;
-  const std::size_t end = source.partner_of(body);
-  const bool keeps_all = close == open + 2 && is_one_of(tokens, open + 1, " = ");
-  const std::string_view lambda = tokens[open - 2].text;
-  for (std::size_t k = keeps_all ? body : open + 1; k < (keeps_all ? end : close); ++k) {
-    if (is_one_of(tokens, k - 1, " & . :: ") || std::isalpha(static_cast<unsigned char>(tokens[k].text[0])) == 0)
-      continue;
-    bool is_its_own = false;  // a variable of the lambda with that name
-    for (std::size_t j = close + 1; j < end; ++j) {
-      const std::size_t type = is_one_of(tokens, j - 1, " & ") ? j - 2 : j - 1;
-      is_its_own = is_its_own || (tokens[j].text == tokens[k].text && !is_one_of(tokens, type, " return ") &&
-                                  std::isalpha(static_cast<unsigned char>(tokens[type].text[0])) != 0);
-    }
-    if (is_its_own) continue;
-    bool is_changed = false;
-    int depth = 0;
-    for (std::size_t later = end + 1; later < tokens.size() && depth >= 0; ++later) {
-      depth += is_one_of(tokens, later, " { ") ? 1 : is_one_of(tokens, later, " } ") ? -1 : 0;
-      const bool is_statement = is_one_of(tokens, later - 1, " ; { } ) ");
-      is_changed = is_changed || (is_statement && tokens[later].text == tokens[k].text &&
-                                  is_one_of(tokens, later + 1, " = += -= *= /= "));
-      if (is_changed && tokens[later].text == lambda && is_one_of(tokens, later + 1, " ( ")) return k;
-    }
-  }
-  return 0;
 }
 
 /// void turn(Vector3d L) { … L[0] = c; } @returns is a parameter, which is a copy, given what is read nowhere?
@@ -377,15 +329,15 @@ bool changes_copy(const SourceText& source, std::size_t brace, std::string_view 
   const std::size_t end = source.partner_of(brace);
   for (std::size_t k = brace + 1, statement = k; k < end; ++k) {
     const bool is_word = std::isalpha(static_cast<unsigned char>(tokens[k].text[0])) != 0;
-    if (is_one_of(tokens, k - 1, " ; { } ") || (is_one_of(tokens, k - 1, " ) ") && is_word)) statement = k;
-    if (tokens[k].text != parameter || is_one_of(tokens, k - 1, " . :: -> ")) continue;
-    if (is_one_of(tokens, source.opening_around(k) - 1, " swap ")) {
+    if (token_is(tokens, k - 1, " ; { } ") || (token_is(tokens, k - 1, " ) ") && is_word)) statement = k;
+    if (tokens[k].text != parameter || token_is(tokens, k - 1, " . :: -> ")) continue;
+    if (token_is(tokens, source.opening_around(k) - 1, " swap ")) {
       last = statement;
       continue;
     }
     std::size_t sign = k + 1;  // behind L, L[0] or L.row(0)
-    while (sign < end && !is_one_of(tokens, sign, " = += -= *= /= << ; { } ) ] ")) sign = source.partner_of(sign) + 1;
-    if (k == statement && is_one_of(tokens, sign, " = += -= *= /= << ")) {
+    while (sign < end && !token_is(tokens, sign, " = += -= *= /= << ; { } ) ] ")) sign = source.partner_of(sign) + 1;
+    if (k == statement && token_is(tokens, sign, " = += -= *= /= << ")) {
       last = statement;
     } else if (statement != last) {
       last = 0;
@@ -402,12 +354,12 @@ std::vector<std::size_t> changed_copies(const SourceText& source, std::size_t br
   if (brace < 5 || tokens[brace].text != "{") return names;
   const std::size_t close = tokens[brace - 1].text == "const" ? brace - 2 : brace - 1;
   const std::size_t open = tokens[close].text == ")" ? source.partner_of(close) : 0;
-  const bool is_function = open > 2 && (is_one_of(tokens, open - 1, " ] ") || is_one_of(tokens, open - 2, " void ") ||
-                                        is_one_of(tokens, open - 3, " operator "));
+  const bool is_function = open > 2 && (token_is(tokens, open - 1, " ] ") || token_is(tokens, open - 2, " void ") ||
+                                        token_is(tokens, open - 3, " operator "));
   for (std::size_t k = brace; k < source.partner_of(brace); ++k)
     if (!is_function || (tokens[k].text == "return" && tokens[k + 1].text != ";")) return names;
   for (std::size_t k = open + 1; k < brace; ++k)
-    if (is_one_of(tokens, k + 1, " , ) ") && source.opening_around(k) == open &&
+    if (token_is(tokens, k + 1, " , ) ") && source.opening_around(k) == open &&
         search(tokens[k - 1].text, "^([A-Za-z_]\\w*|>)$") && changes_copy(source, brace, tokens[k].text))
       names.push_back(k);
   return names;
@@ -417,7 +369,7 @@ std::vector<std::size_t> changed_copies(const SourceText& source, std::size_t br
 bool opens_loop(const SourceText& source, std::size_t brace) {
   if (brace == 0 || source.tokens()[brace].text != "{" || source.tokens()[brace - 1].text != ")") return false;
   const std::size_t head = source.partner_of(brace - 1);
-  return head > 0 && is_one_of(source.tokens(), head - 1, " for while ");
+  return head > 0 && token_is(source.tokens(), head - 1, " for while ");
 }
 
 /// for (…) { … return x; } @returns does the return always end the loop in its first turn?
@@ -435,8 +387,8 @@ bool is_sum_of_one_term(const SourceText& source, std::size_t declared) {
   int depth = 0;
   for (std::size_t k = declared + 1; k < tokens.size() && depth >= 0; ++k) {
     depth += tokens[k].text == "{" ? 1 : tokens[k].text == "}" ? -1 : 0;
-    if (tokens[k].text != tokens[declared].text || !is_one_of(tokens, k + 1, " = += -= *= /= [ ( . ")) continue;
-    if (has_term || depth > 0 || !is_one_of(tokens, k + 1, " += ") || !is_one_of(tokens, k - 1, " ; } ")) return false;
+    if (tokens[k].text != tokens[declared].text || !token_is(tokens, k + 1, " = += -= *= /= [ ( . ")) continue;
+    if (has_term || depth > 0 || !token_is(tokens, k + 1, " += ") || !token_is(tokens, k - 1, " ; } ")) return false;
     has_term = true;
   }
   return has_term;
@@ -471,7 +423,7 @@ std::string value_functions(std::span<const Statement> statements) {
 bool accumulates(std::span<const Token> tokens, std::size_t declared) {
   for (std::size_t k = declared + 1; k < std::min(tokens.size(), declared + 1000); ++k)
     if (tokens[k].text == tokens[declared].text && !search(tokens[k - 1].text, "^(?!else$|do$)[A-Za-z_&>*]") &&
-        (is_one_of(tokens, k + 1, " = += -= *= /= ++ -- << ") || is_one_of(tokens, k - 1, " ++ -- ")))
+        (token_is(tokens, k + 1, " = += -= *= /= ++ -- << ") || token_is(tokens, k - 1, " ++ -- ")))
       return true;
   return false;
 }
@@ -588,10 +540,6 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
         add(k, "character", {},
             "A digit in quotation marks is a character, and counts as another number ('0' as 48): leave them out.",
             has_one_of(tokens, " cout cerr printf ") ? Weight::possible : Weight::cause);
-      if (token == "[")
-        if (const std::size_t captured = kept_by_lambda(source, k); captured > 0)
-          add(captured, "captured_value", search(tokens[captured].text, "(.+)"),
-              "This lambda keeps the value that `$1` has here, and does not see the one given later: write [&].");
     }
     const Match array =
         search(statement.text, R"(^(?:const )?(?:double|int|float|Vector\w+|Matrix\w+) (\w+) \[ (\d{1,9}) \])");
