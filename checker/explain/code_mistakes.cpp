@@ -37,7 +37,8 @@ bool explain_slips_of_language(Search& search) {
   const DiagnosticTask& task = search.evidence.task;
   const SourceText source(task.submission.text);
   // Each file with such templates takes seconds to compile again; a mistake that is known needs none of them.
-  const bool compiles_long{::workbook::search(source.text(), R"(\b\w*(?:[lL]u|Q[rR]|S[vV][dD]|EigenSolver)\s*[(<])")};
+  const bool compiles_long{
+      ::workbook::search(source.text(), R"(\b\w*(?:[lL]u|Q[rR]|S[vV][dD]|EigenSolver|FromTwoVectors)\s*[(<])")};
   if (compiles_long && has_values(search.verdict()))
     if (const auto known = diagnose_misconception(task.reference, search.answers); known && known->is_cause())
       return false;

@@ -210,7 +210,7 @@ class Slips {
     return index < source_.tokens().size() ? source_.tokens()[index].text : std::string_view();
   }
   bool is(std::size_t index, std::initializer_list<std::string_view> texts) const {
-    return std::ranges::find(texts, token(index)) != texts.end();
+    return is_one_of(token(index), texts);
   }
   Edit replaced(std::size_t first, std::size_t last, std::string text) const {
     const std::size_t begin = source_.tokens()[first].offset;

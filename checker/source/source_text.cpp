@@ -155,6 +155,9 @@ Reason SourceText::reason(Place place, std::string name, const std::string& sent
 
 bool opens(std::string_view token) { return token == "(" || token == "[" || token == "{"; }
 bool closes(std::string_view token) { return token == ")" || token == "]" || token == "}"; }
+bool is_one_of(std::string_view token, std::initializer_list<std::string_view> tokens) {
+  return std::ranges::find(tokens, token) != tokens.end();
+}
 
 bool defines_function(const SourceText& source, std::string_view name) {
   const std::vector<Token>& tokens = source.tokens();

@@ -4,6 +4,7 @@
 
 #include "checker/data/reason.hpp"
 
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +63,7 @@ class SourceText {
 /// One of the three kinds of brackets.
 bool opens(std::string_view token);
 bool closes(std::string_view token);
+bool is_one_of(std::string_view token, std::initializer_list<std::string_view> tokens);
 
 /// Does the file define a function of that name, in whatever namespace?
 bool defines_function(const SourceText& source, std::string_view name);
