@@ -1,9 +1,7 @@
 // Mistakes in the code that are the reason of wrong values: they are not explained as physics.
-#include "checker/base/text.hpp"
 #include "checker/explain/explainers.hpp"
 #include "checker/explain/repair.hpp"
 #include "checker/explain/slips.hpp"
-#include "checker/explain/values/diagnosis.hpp"
 
 #include <algorithm>
 
@@ -36,12 +34,6 @@ bool explain_fixed_mistakes(Search& search) {
 bool explain_slips_of_language(Search& search) {
   const DiagnosticTask& task = search.evidence.task;
   const SourceText source(task.submission.text);
-  // Each file with such templates takes seconds to compile again; a mistake that is known needs none of them.
-  const bool compiles_long{
-      ::workbook::search(source.text(), R"(\b\w*(?:[lL]u|Q[rR]|S[vV][dD]|EigenSolver|FromTwoVectors)\s*[(<])")};
-  if (compiles_long && has_values(search.verdict()))
-    if (const auto known = diagnose_misconception(task.reference, search.answers); known && known->is_cause())
-      return false;
   auto [slips, changed] = slips_of_language(source, task.reference);
   CodeReasons found = reasons_of(search, slips, std::move(changed));
   // A quotient of whole numbers that makes all zero is a mistake anyway.
