@@ -233,7 +233,7 @@ TEST_CASE("each of the beginners' mistakes is told in a tutor's words, and none 
     }
   const auto notes = read_file(WORKBOOK_TEST_SOURCES "/../../lectures/00_eigen/notes.md").value_or("");
   for (const Match& line : search_all("\n" + names, R"(\n([a-z]\w+) )"))
-    CHECK(search(notes, R"([ \n])" + line[1] + R"([ \n])"));
+    CHECK_MESSAGE(search(notes, R"([ \n])" + line[1] + R"([ \n])"), line[1]);
 }
 
 TEST_CASE("what a text gives away by itself is told, and right lines that look like it are not") {
