@@ -138,8 +138,24 @@ constexpr Slip slip_table[] = {
     {"bracket_too_late",
      R"(\b(?:sqrt|abs|sin|cos|tan|exp|log|a(?:sin|cos|tan))\s*\((((?:[^(){};,]|(?1))+?)\s*([-+*/])\s*((?:[^(){};,+-]|(?1))+)\)))",
      "$3) $4 $5", "The bracket of this function closes too late: its last part does not belong into it."},
-    {"degrees", R"(\b(180(?:\.0*)?)(?![\w.])(?!\s*[*/]\s*(?:M_PI|EIGEN_PI|pi\b|std\b|3\.14)))",
+    {"degrees",
+     R"(((?:\s*\*\s*(?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14\d*)\s*/\s*180(?:\.0*)?|\s*/\s*180(?:\.0*)?\s*\*\s*(?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14\d*))(?![\w.])))",
+     "", "This takes the angle for degrees, but it is in radians: leave the factor out."},
+    {"degrees", R"((?<!/)(?<!/ )\b(180(?:\.0*)?)(?![\w.])(?!\s*[*/]\s*(?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14)))",
      "3.14159265358979323846", "Sine, cosine and all angles are in radians here: 180° are std::numbers::pi."},
+    {"return_in_loop", R"(\belse\s*\{?\s*(return\b[^;{}]*;))", ";",
+     "This return ends the loop in its first turn: it belongs after the loop."},
+    {"end_of_range",
+     R"(\b(?:sort|reverse|accumulate|(?:min|max)_element)\s*\(\s*(\w+)\s*(?:\+\s*\w+\s*)?,\s*\2\s*\+\s*\w+()\s*[,)])",
+     " + 1", "A range ends one behind its last element: `$2 + 3` ends one with `$2[2]`.", 3},
+    {"end_of_range", R"(\bend\s*\(\s*\w*\s*\)(\s*-\s*1)\s*[,)])", "",
+     "A range ends one behind its last element, which is where end() is."},
+    {"index_for_value", R"(\b(\w+)\s*\[\s*(\w+)\s*\]\s*[<>]=?\s*(\w+)\s*\)\s*\{?\s*\4\s*=\s*(\3)\s*;)", "$2[$3]",
+     "This keeps the index of the element; the element itself is `$2[$3]`.", 5},
+    {"changing_total",
+     R"(((\bfor\s*(?1)\s*\{?\s*)(\w+\s*[\[(]\s*\w+\s*[\])])\s*([-*/]=)\s*(\w+)\s*\.\s*(mean|sum|norm|maxCoeff|minCoeff)\s*\(\s*\)))",
+     "const auto workbook_total = $6.$7(); $3$4 $5 workbook_total",
+     "Each turn computes `$6.$7()` anew, from entries that have changed by then: compute it once, before the loop."},
     {"and_for_or", R"((&&))", "||", "&& asks that both be true; here || is right, one of them."},
     {"and_for_or", R"((\|\|))", "&&", "|| asks that one of both be true; here && is right, both of them."},
     {"difference_for_order",
@@ -185,6 +201,7 @@ class Slips {
     }
     counts_from_one();
     unsigned_numbers();
+    if_for_while();
     length_after_normalize();
     for (const Argument& argument : exercise.arguments)
       if (argument.kind == Kind::points)
@@ -372,6 +389,16 @@ class Slips {
         fmt::format("An unsigned number is never negative, and wraps around to a very large one: make `{}`{} an int.",
                     name, edits.size() > 1 ? ", and each of the others," : "");
     add("unsigned_number", sentence, place, std::move(edits));
+  }
+
+  /// if (phi > pi) phi -= 2 * pi;
+  void if_for_while() {
+    std::vector<Edit> edits;
+    for (const Match& read : search_all(source_.text(), R"(\b(if)\s*\(\s*(\w+)\s*[<>][^;{}]*\)\s*\{?\s*\2\s*[-+*/]=)"))
+      edits.push_back({read.offsets[1], 2, "while"});
+    if (edits.empty()) return;
+    const Place place = source_.place_of(edits[0].offset);
+    add("if_for_while", "This if is done once: a while goes on until its condition is false.", place, std::move(edits));
   }
 
   /// L.normalize(); … L.norm()
