@@ -121,6 +121,8 @@ constexpr Slip slip_table[] = {
      "A digit in a text is a character, which counts as another number ('0' as 48): subtract '$3', not $3.", 3},
     {"modulo_first", R"(((\b\w+)\s*\*\s*((?:\w+|(?1))\s*%\s*\w+)))", "$3 * ($4)",
      "* and % are computed from the left to the right: write `$3 * ($4)`."},
+    {"uninitialized_variable", R"(\b(?:double|int|float)\s+(\w+)()\s*;(?=[^]*\b\2\s*[-+]=))", " = 0",
+     "`$2` begins with no value, but is added to below: begin with 0.", 3},
     {"loop_step", R"(\bfor\s*\([^;]*;[^;]*;\s*((\w+)\s*\+=\s*[2-9])\s*\))", "++$3",
      "This loop leaves out every second turn, or more: write ++$3."},
     {"length_not_1", R"(\bAngleAxisd(?:\s+\w+)?\s*[({])" ANY R"(,()" PART R"()[)}])", "($3).normalized()",
