@@ -141,8 +141,7 @@ std::optional<Reason> recognized(const std::vector<MessageMistake>& table, const
 /// What is missing before a token belongs after the one before it, which may stand on an earlier line.
 Place place_to_show(const Diagnostic& error, const SourceText& source) {
   const auto next = std::ranges::lower_bound(source.tokens(), source.offset_of(error.place), {}, &Token::offset);
-  const bool is_unfinished =
-      next != source.tokens().begin() && search(std::prev(next)->text, "^[-+*/=(,]$").groups.size() > 0;
+  const bool is_unfinished = next != source.tokens().begin() && search(std::prev(next)->text, "^[-+*/=(,]$");
   const bool noticed_late =
       is_unfinished || (error.text.find("before") != std::string::npos &&
                         (error.text.find(';') < 20 || error.text.starts_with("expected initializer")));

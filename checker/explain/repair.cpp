@@ -324,7 +324,8 @@ VariantRunner::VariantRunner(const DiagnosticTask& task, std::vector<Variant>& v
 Reply VariantRunner::call(std::size_t variant, std::size_t case_index, long overdraft) {
   if (!work_left_) plan_work();
   const long work = std::max(1L << exponent_of(case_index), limits_.work / limits_.calls);
-  if ((*work_left_ -= work) < -overdraft || slow_ >= limits_.slow_calls) return {};
+  *work_left_ -= work;
+  if (*work_left_ < -overdraft || slow_ >= limits_.slow_calls) return {};
   return answer(variant, case_index);
 }
 
@@ -342,7 +343,7 @@ Reply VariantRunner::answer(std::size_t variant, std::size_t case_index) {
     if (variant != unchanged_ && may_return(order_.front()))
       worker_->call(planned(order_.front()), mode_of(unchanged_));
   }
-  const Reply reply = worker_->call(planned(case_index), mode_of(variant));
+  Reply reply = worker_->call(planned(case_index), mode_of(variant));
   if (reply.ending == Ending::time_limit) ++slow_;
   return reply;
 }
@@ -577,9 +578,9 @@ std::optional<Reason> slip_or_branch(const DiagnosticTask& task, const Toolchain
     return std::nullopt;
   };
   // Where steps are many, few calls can be made: what they limit comes first.
-  if (const auto slip = slip_among(true)) return slip;
-  const auto limit = coarse(runner, variants, source);
-  if (const auto slip = slip_among(false)) return slip;
+  if (auto slip = slip_among(true)) return slip;
+  auto limit = coarse(runner, variants, source);
+  if (auto slip = slip_among(false)) return slip;
   if (sought == Sought::one_slip) return std::nullopt;
   if (!branches) branches = branches_of_cases();
   if (branches->deciding) return finding_of(*branches->deciding, variants, source, task);

@@ -895,7 +895,7 @@ class SourceMutations {
     if (here() == "<<" || (here() == "{" && begins_expression())) return true;
     if (here() != "," || !begins_expression()) return false;
     const std::string_view open = token(source_.opening_around(at_));
-    return open == "{" || open == "" || is_one_of(token(source_.opening_around(at_) - 1), {"Vector3d", "Vector2d"});
+    return open == "{" || open.empty() || is_one_of(token(source_.opening_around(at_) - 1), {"Vector3d", "Vector2d"});
   }
 
   /// A term before a sum: the names of numbers and vectors, with either sign.
