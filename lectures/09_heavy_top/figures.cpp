@@ -212,7 +212,8 @@ void draw_paths(const std::filesystem::path& directory) {
   int panel = 0;
   for (const Release& release : {Release{0, "at rest", 36}, Release{2.6, "+2.6 rad/s", 36}, Release{-5, "−5 rad/s", 36},
                                  Release{10, "+10 rad/s", 74}}) {
-    const Vector3d at = 1.75 * (panel % 2) * x_axis - 1.9 * (panel / 2) * y_axis;
+    const int row = panel / 2;
+    const Vector3d at = 1.75 * (panel % 2) * x_axis - 1.9 * row * y_axis;
     ++panel;
     SpaceCurve path;
     double inner = 1, outer = 0;

@@ -316,7 +316,7 @@ Fit fit_in_air(const Recording& flight) {
 }
 
 /// A flight without the ends at which a hand still acts, or acts again.
-Stretch without_hands(const Recording& part, Stretch flight) {
+Stretch without_hands(const Recording& part, const Stretch& flight) {
   constexpr double window = 0.04;  // s
   const Index count = flight.end - flight.begin;
   const Recording all = part_of(part, flight.begin, flight.end);

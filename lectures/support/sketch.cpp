@@ -156,7 +156,8 @@ class Sketch::Picture {
     if (area == 0) return;
     const auto bounds = [&](int axis, int end) {
       const auto [least, most] = std::minmax({at[0][axis], at[1][axis], at[2][axis]});
-      return std::pair(std::max(0, static_cast<int>(least - 0.5)), std::min(end, static_cast<int>(most + 0.5) + 1));
+      return std::pair(std::max(0, static_cast<int>(least - 0.5)),
+                       std::min(end, static_cast<int>(std::lround(most)) + 1));
     };
     const auto [left, right] = bounds(0, columns_);
     const auto [below, above] = bounds(1, rows_);

@@ -105,16 +105,6 @@ std::function<void(T&)> change_of(const F& change) {
   }
 }
 
-/// What a draw for a random case makes.
-template <class T>
-T drawn(T (Random::*draw)(), Random& random) {
-  return (random.*draw)();
-}
-template <class Draw>
-auto drawn(const Draw& draw, Random& random) {
-  return draw(random);
-}
-
 }  // namespace detail
 
 /// All about an exercise that does not need its types.
@@ -288,11 +278,11 @@ class Exercise : public AnyExercise {
   void random(std::string_view name, int count, const Draws&... draws) {
     add_batch(name, Group::random, count, [draws...](Random& random) {
       if constexpr (sizeof...(Draws) == sizeof...(Inputs)) {
-        return Values{detail::to_value<Inputs>(detail::drawn(draws, random))...};
+        return Values{detail::to_value<Inputs>(std::invoke(draws, random))...};
       } else {
         // std::tuple(…) leaves a tuple as it is, and makes a tuple of one of anything else.
-        const std::tuple<decltype(std::tuple(detail::drawn(draws, random)))...> drawn{
-            std::tuple(detail::drawn(draws, random))...};
+        const std::tuple<decltype(std::tuple(std::invoke(draws, random)))...> drawn{
+            std::tuple(std::invoke(draws, random))...};
         return values_of(std::apply([](const auto&... each) { return std::tuple_cat(each...); }, drawn));
       }
     });

@@ -91,7 +91,7 @@ fs::path copy_course(const Course& course, const fs::path& course_file, const fs
 /// What each tier of the sandbox adds to the start of a small program.
 void measure_sandboxes() {
   const SandboxStrength strongest = probe_sandbox();
-  SandboxStrength grouped = strongest, full = strongest, reduced = strongest;
+  SandboxStrength full = strongest, reduced = strongest;
   full.control_groups.clear();
   reduced.control_groups.clear();
   reduced.namespaces.clear();
@@ -104,7 +104,7 @@ void measure_sandboxes() {
     launch.arguments = {"0"};  // it tries to read a file
     launch.with_channel = true;
     bare.push_back(seconds([&] { run_program(launch, std::chrono::seconds(10), 1000); }));
-    for (const SandboxStrength& strength : {reduced, full, grouped}) {
+    for (const SandboxStrength& strength : {reduced, full, strongest}) {
       if (confined[strength.tier()].size() > static_cast<std::size_t>(i)) continue;  // the same tier once more
       use_sandbox(strength);
       Launch inside = launch;

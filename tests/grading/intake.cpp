@@ -173,7 +173,7 @@ TEST_CASE("of a class that is taken in again unchanged copies are kept, changed 
   const MadeUpClass all;
   for (const char* id : {"same", "changed", "taken_back", "spoilt"}) all.energy(id, right_energy);
   const fs::path of_same = all.root() / "copies/same/spring_energy.cpp";
-  Taken{all};
+  const Taken first(all);
   const fs::path second_name = all.root() / "link";  // of the same file, unless a new one is written
   fs::create_hard_link(of_same, second_name);
   all.energy("changed", "return 0;");

@@ -31,8 +31,8 @@ Compilation refused_text(const std::string& text, Refusal refusal = Refusal::com
 
 /// The compiler behind a few lines of shell, in a folder where the sandbox lets it start.
 fs::path stand_in_compiler(const fs::path& directory, const std::string& beginning) {
-  const fs::path script = write(directory / "bin" / "compiler", "#!/usr/bin/sh\n" + beginning + "\nexec " +
-                                                                    toolchain().compiler.string() + " \"$@\"\n");
+  fs::path script = write(directory / "bin" / "compiler",
+                          "#!/usr/bin/sh\n" + beginning + "\nexec " + toolchain().compiler.string() + " \"$@\"\n");
   fs::permissions(script, fs::perms::owner_all | fs::perms::group_all | fs::perms::others_all);
   return script;
 }

@@ -155,8 +155,10 @@ std::string usage_sentence(const CLI::App& app, const CLI::ParseError& problem, 
 
 /// CLI11's own, whose sentence is another one in each version.
 auto in_range(int least, int most) {
-  return [range = CLI::Range(least, most), least, most](std::string typed) {
-    return range(typed).empty() ? "" : fmt::format("{} is not between {} and {}", printable(typed), least, most);
+  return [least, most](std::string typed) {
+    return CLI::Range(least, most)(typed).empty()
+               ? ""
+               : fmt::format("{} is not between {} and {}", printable(typed), least, most);
   };
 }
 

@@ -45,7 +45,8 @@ void judge_euler_equations_general(Lecture& lecture) {
           const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(I);
           Matrix3d axes = solver.eigenvectors();
           if (right_handed) axes.col(2) = axes.col(0).cross(axes.col(1));
-          const Vector3d on_axes = axes.transpose() * w, moments = solver.eigenvalues();
+          const Vector3d on_axes = axes.transpose() * w;
+          const Vector3d& moments = solver.eigenvalues();
           return axes * (tau - axes.determinant() * cross(on_axes, L_of(moments, on_axes))).cwiseQuotient(moments);
         });
   e.wrong_input<0>(products_sign, "products_flipped", products_flipped);
