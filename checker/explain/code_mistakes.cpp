@@ -28,6 +28,11 @@ bool explain_fixed_mistakes(Search& search) {
   CodeReasons found = reasons_of(search, search.in_code, fixed_variants(source, search.in_code));
   // A rounded π is the reason only where nothing else is wrong.
   if (!found.are_all) std::erase_if(found.reasons, [](const Reason& reason) { return reason.fix == Fix::exact_pi; });
+  // What may be meant as it stands is not told where its change does not help.
+  if (found.are_tried)
+    std::erase_if(search.in_code, [](const Reason& each) {
+      return each.weight == Weight::possible && (each.fix == Fix::wider_type || each.fix == Fix::as_double);
+    });
   return tell(search, std::move(found));
 }
 

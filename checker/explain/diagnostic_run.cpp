@@ -343,7 +343,9 @@ std::vector<DiagnosticEvent> read_report(const std::string& text, const std::str
     if (const Match called = events.empty() ? Match() : search(line, call)) {
       // A report may go on with other chains: who freed the memory, who asked for it.
       const bool is_students = called[2].ends_with(student_file);
-      if (!has_calls) events.back().in_c_library = !is_students && called[4].empty();
+      // The compiler calls __divdc3 and __muldc3 for complex numbers.
+      if (!has_calls)
+        events.back().in_c_library = !is_students && called[4].empty() && !search(called[3], "^__(?:div|mul)");
       if ((!has_calls || was_in_calls) && is_students) events.back().lines.push_back(std::atoi(called[1].c_str()));
       in_calls = !has_calls || was_in_calls;
       has_calls = true;

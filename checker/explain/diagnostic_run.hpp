@@ -36,7 +36,7 @@ std::vector<Reason> diagnostic_run_of(const std::filesystem::path& program, cons
 struct DiagnosticEvent {
   std::string text;             ///< "NAME|FACT|…"
   std::vector<int> lines = {};  ///< of the student's file in the chain of calls, innermost first
-  bool in_c_library = false;    ///< the innermost call has no parameters in its name, as all of C++ has
+  bool in_c_library = false;    ///< the innermost call is a function of C
 
   bool is(const std::string& name) const { return text == name || text.starts_with(name + "|"); }
   int line() const { return lines.empty() ? 0 : lines.front(); }

@@ -172,18 +172,26 @@ bool is_of_accuracy(const Variant& variant, const SourceText& source) {
           (variant.edits.size() > 1 || std::abs(times - 10) < 1e-6 || std::abs(times - 0.1) < 1e-6));
 }
 
+/// The variant that has another multiple of the same number.
+std::optional<std::size_t> with_multiple(double times, const Variant& number, const std::vector<Variant>& variants,
+                                         const SourceText& source) {
+  const auto found = std::ranges::find_if(variants, [&](const Variant& each) {
+    return each.edits.front().offset == number.edits.front().offset &&
+           std::abs(multiple(each, source) / times - 1) < 1e-6;
+  });
+  return found == variants.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - variants.begin()));
+}
+
 /// What is left of the error with twice a number, or half of it, if of the rest as much is left the next time: it is a
 /// number of steps, or their size. 1 where it is not so.
 double part_left(VariantRunner& runner, const std::vector<Variant>& variants, std::size_t number,
                  const std::vector<double>& errors, const SourceText& source) {
   const double once = multiple(variants[number], source);
-  const auto twice = std::ranges::find_if(variants, [&](const Variant& each) {
-    return each.edits.front().offset == variants[number].edits.front().offset && multiple(each, source) == once * once;
-  });
-  if (twice == variants.end()) return 1;
+  const auto twice = with_multiple(once * once, variants[number], variants, source);
+  if (!twice) return 1;
   const double one = sum(runner.errors(number, errors.front())) / sum(errors);
   if (one == 0) return 1;
-  const double both = sum(runner.errors(static_cast<std::size_t>(twice - variants.begin()))) / sum(errors);
+  const double both = sum(runner.errors(*twice)) / sum(errors);
   const bool is_law = both > 0 && one < 0.75 && std::abs(std::log(both) / std::log(one) - 2) < 0.5;
   return is_law ? one : 1;
 }
@@ -200,16 +208,13 @@ bool may_be_steps(const Variant& variant, const SourceText& source) {
 double growth_of_error(VariantRunner& runner, const std::vector<Variant>& variants, std::size_t number,
                        const std::vector<double>& errors, const SourceText& source) {
   const double once = multiple(variants[number], source);
-  const auto further = std::ranges::find_if(variants, [&](const Variant& each) {
-    return each.edits.front().offset == variants[number].edits.front().offset &&
-           std::abs(multiple(each, source) / (once * once) - 1) < 1e-6;
-  });
-  if (further == variants.end()) return 1;
+  const auto further = with_multiple(once * once, variants[number], variants, source);
+  if (!further) return 1;
   const auto error_with = [&](std::size_t variant) {
     return sum(runner.errors(runner.with_work_of_the_file(variant))) / sum(errors);
   };
   const double one = error_with(number);
-  const double both = one > 1 ? error_with(static_cast<std::size_t>(further - variants.begin())) : 0;
+  const double both = one > 1 ? error_with(*further) : 0;
   return one > 1 && std::abs(std::log(both) / std::log(one) - 2) < 0.15 ? one : 1;
 }
 
@@ -221,11 +226,9 @@ bool falls_step_by_step(VariantRunner& runner, const std::vector<Variant>& varia
   if (variants[number].kind != VariantKind::number || times <= 0) return true;
   double last = sum(errors);
   for (const double step : times > 1 ? std::array{2.0, 4.0} : std::array{0.5, 0.25}) {
-    const auto found = std::ranges::find_if(variants, [&](const Variant& each) {
-      return each.edits.front().offset == variants[number].edits.front().offset && multiple(each, source) == step;
-    });
-    if (found == variants.end()) continue;
-    const double error = sum(runner.errors(static_cast<std::size_t>(found - variants.begin())));
+    const auto found = with_multiple(step, variants[number], variants, source);
+    if (!found) continue;
+    const double error = sum(runner.errors(*found));
     if (!(error < last)) return false;
     last = error;
   }
@@ -261,7 +264,8 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   // Ten times as many steps may take long, and a tenth of them does not.
   for (std::size_t k = 0; k < variants.size() && is_near; ++k)
     if (const double times = multiple(variants[k], source);
-        may_be_steps(variants[k], source) && std::abs(std::abs(std::log10(times)) - 1) < 1e-6)
+        may_be_steps(variants[k], source) &&
+        (times == 2 || times == 0.5 || std::abs(std::abs(std::log10(times)) - 1) < 1e-6))
       if (const double growth = growth_of_error(runner, variants, k, errors, source); growth > 1.5)
         tell(k, times < 1 ? "a larger number" : "a smaller number", 1 / growth);
   if (found) return found;
@@ -480,16 +484,21 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
     return fixed;
   };
   for (std::size_t k = 0; k < variants.size(); ++k)
-    if (runner.is_right(k)) return {fixed_by(variants[k]), true};
+    if (runner.is_right(k)) return {fixed_by(variants[k]), true, true};
   // What moves an error by a little, as another number of steps does, is not its reason.
   const std::vector<double> errors = runner.errors(variants.size());
   const auto is_alike = [](double one, double other) { return std::abs(one - other) <= 0.01 * other; };
-  CodeReasons reasons;
+  CodeReasons reasons{{}, false, true};
   for (std::size_t k = 0; k < variants.size(); ++k) {
     if (variants[k].kind == VariantKind::all_fixes || !runner.is_other(k) ||
         (!errors.empty() && std::ranges::equal(runner.errors(k), errors, is_alike)))
       continue;
-    std::ranges::move(fixed_by(variants[k]), std::back_inserter(reasons.reasons));
+    // What may be meant as it stands, like `int n = t / h`, is a reason only if the error becomes clearly less.
+    constexpr double clearly_less = 0.7;
+    const std::vector<double> left = runner.errors(k);
+    const bool is_better = errors.empty() || (!left.empty() && sum(left) < clearly_less * sum(errors));
+    for (Reason& each : fixed_by(variants[k]))
+      if (each.is_cause() || is_better) reasons.reasons.push_back(std::move(each));
   }
   return reasons;
 } catch (const std::exception&) {  // it is a help only; what matters has been judged
@@ -601,7 +610,8 @@ bool explain_by_small_change(Search& search) {
   };
   const bool are_inaccurate = std::ranges::any_of(search.reasons, is_inaccurate);
   const bool are_explained = std::ranges::any_of(search.reasons, [](const Reason& reason) {
-    return (reason.kind == ReasonKind::misconception || reason.kind == ReasonKind::input_transform) &&
+    return (reason.kind == ReasonKind::misconception || reason.kind == ReasonKind::input_transform ||
+            reason.kind == ReasonKind::transform) &&
            reason.weight == Weight::possible;
   });
   const Sought sought = are_inaccurate ? Sought::accuracy : are_explained ? Sought::one_slip : Sought::all;

@@ -16,6 +16,7 @@ namespace workbook {
 struct CodeReasons {
   std::vector<Reason> reasons;  ///< with them fixed, the values are others
   bool are_all = false;         ///< with them fixed, all cases are right
+  bool are_tried = false;       ///< they compile
 };
 /// @param fixes  variants of the file with some of the findings fixed: each has the name and place of one, or is of all
 CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& findings, std::vector<Variant> fixes,

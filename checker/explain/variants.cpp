@@ -964,7 +964,7 @@ class SourceMutations {
     return false;
   }
 
-  /// `a * b - c / d` as `a * (b - c) / d`.
+  /// `a * b - c / d` as `a * (b - c) / d`, and `a * b + c + d` as `a * (b + c + d)`.
   void brackets() {
     constexpr std::ptrdiff_t most = 8;
     if (!is_one_of(here(), {"+", "-"}) || !follows_operand() || all_bugs_ || conditions_.in_loop(at_)) return;
@@ -979,9 +979,13 @@ class SourceMutations {
     if (is_scalar(first, at_ - 1) != is_scalar(at_ + 1, last) || (are_known && left != right)) return;
     if (!is_one_of(token(first - 1), {"*", "/"}) && !is_one_of(token(last + 1), {"*", "/"})) return;
     if (std::ranges::count(found_, VariantKind::brackets, &Variant::kind) >= most) return;
-    const Token& end = source_.tokens()[last];
-    add(VariantKind::brackets, "brackets around the sum (* and / come before + and −)", at_,
-        {{source_.tokens()[first].offset, 0, "("}, {end.offset + end.text.size(), 0, ")"}});
+    std::size_t end = last;
+    while (is_one_of(token(end + 1), {"+", "-"}) && begins_operand(end + 2)) end = end_of_factor(end + 2);
+    for (const std::size_t behind : std::set{last, end}) {
+      const Token& closed = source_.tokens()[behind];
+      add(VariantKind::brackets, "brackets around the sum (* and / come before + and −)", at_,
+          {{source_.tokens()[first].offset, 0, "("}, {closed.offset + closed.text.size(), 0, ")"}});
+    }
   }
 
   /// `c ? a : b * d` as `(c ? a : b) * d`, and `d * c > 0 ? a : b` as `d * (c > 0 ? a : b)`.

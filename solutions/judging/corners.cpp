@@ -483,7 +483,7 @@ struct NamedChange {
   bool may_leave_domain = true;  ///< false for what few slips do: outside the domain an integration may never end
 };
 
-void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument, std::size_t a) {
+void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument, std::size_t a, bool has_few_results) {
   const std::string& name = argument.name;
   const auto add = [&](const std::string& key, const std::string& words, const std::function<void(Value&)>& change) {
     changes.push_back({name + "_" + key, words, [a, change](Values& inputs) { change(inputs[a]); }});
@@ -492,6 +492,7 @@ void add_changes_of(std::vector<NamedChange>& changes, const Argument& argument,
   add("zero", name + " = 0", each([](double) { return 0.0; }));
   changes.back().may_leave_domain = false;
   add("absolute", "|" + name + "|", each([](double x) { return std::abs(x); }));
+  if (has_few_results) return;
   add("doubled", "2·" + name, each([](double x) { return 2 * x; }));
   add("halved", name + "/2", each([](double x) { return x / 2; }));
   if (argument.unit == units::radian) {
@@ -578,14 +579,14 @@ void add_turned(std::vector<NamedChange>& changes, const ExerciseReference& exer
 
 std::vector<NamedChange> changes_of(const ExerciseReference& exercise) {
   std::vector<NamedChange> changes;
+  // Of a few possible results another one is soon the same by chance.
+  const bool has_few_results = exercise.result_kind == Kind::integer;
   for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
-    if (exercise.arguments[a].kind != Kind::integer) add_changes_of(changes, exercise.arguments[a], a);
+    if (exercise.arguments[a].kind != Kind::integer) add_changes_of(changes, exercise.arguments[a], a, has_few_results);
     for (std::size_t b = 0; b < exercise.arguments.size(); ++b) add_turned(changes, exercise, a, b);
     for (std::size_t b = a + 1; b < exercise.arguments.size(); ++b) {
       if (exercise.arguments[a].kind != exercise.arguments[b].kind) continue;
-      // Of a few possible results another one is soon the same by chance.
-      if (exercise.result_kind == Kind::integer && !(exercise.arguments[a].unit == exercise.arguments[b].unit))
-        continue;
+      if (has_few_results && !(exercise.arguments[a].unit == exercise.arguments[b].unit)) continue;
       const std::string names = exercise.arguments[a].name + " and " + exercise.arguments[b].name;
       changes.push_back({exercise.arguments[a].name + "_" + exercise.arguments[b].name + "_exchanged",
                          names + " exchanged", [a, b](Values& inputs) { std::swap(inputs[a], inputs[b]); }});

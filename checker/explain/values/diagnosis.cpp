@@ -67,6 +67,7 @@ constexpr struct {
     {diagnose_coarsely, Beside::nothing},
     {diagnose_eigenvectors, Beside::nothing},
     {diagnose_difference, Beside::nothing},
+    {diagnose_along, Beside::nothing},
     {diagnose_split, Beside::place},
     {diagnose_conditional, Beside::place},
     {diagnose_both_mistakes, Beside::nothing},

@@ -54,6 +54,7 @@ Mechanism diagnose_place;         ///< "Only component 3 is wrong": always true,
 Mechanism diagnose_eigenvectors;  ///< principal axes in another order, of another length or handedness
 Mechanism diagnose_accuracy;      ///< nearly right at every case; the digits where the error follows a law
 Mechanism diagnose_mostly_near;   ///< nearly right at most cases, and on which side
+Mechanism diagnose_along;         ///< a vector that is wrong only along one of the inputs
 Mechanism diagnose_no_effect;     ///< arguments that alone never change the answer, but the right result
 Mechanism diagnose_range;  ///< the right attitudes by numbers beyond their range: θ, the pitch, more than half a turn
 

@@ -320,7 +320,10 @@ std::optional<Reason> factor_of(const ExerciseReference& exercise, const Answers
                     ? fmt::format("{}your result is that of the expected one {} at every case.", told_of, words)
                 : is_whole ? fmt::format("Your result is the expected one {} at every case.", words)
                            : fmt::format("In your result {} {} {} at every case; all else is right.", listed(names),
-                                         names.size() == 1 ? "is the expected one" : "are the expected ones", words)};
+                                         names.size() == 1 ? "is the expected one" : "are the expected ones", words),
+                // A change in the file may say more simply how such a factor came about.
+                words.find(" − ") == std::string::npos && words.find(" + ") == std::string::npos ? Weight::cause
+                                                                                                 : Weight::possible};
 }
 
 /// Of a number, or of functions of an angle.

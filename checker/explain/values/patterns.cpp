@@ -49,6 +49,41 @@ std::optional<Reason> diagnose_place(const ExerciseReference& exercise, const An
                 Weight::symptom};
 }
 
+std::optional<Reason> diagnose_along(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t fewest = 8;
+  constexpr double exactness = 1e-7, clearly_oblique = 1e-2;
+  if ((exercise.result_kind != Kind::vector3 && exercise.result_kind != Kind::points) ||
+      exercise.comparison != Comparison::plain || !all_deciding_cases_answered(exercise, answers))
+    return std::nullopt;
+  for (std::size_t a = 0; a < exercise.arguments.size(); ++a) {
+    if (exercise.arguments[a].kind != Kind::vector3) continue;
+    std::size_t wrong = 0, oblique = 0;  // columns, and those that are not along the input themselves
+    const auto is_along = [&](std::size_t i) {
+      const Case& one = exercise.cases[i];
+      if (!answers[i]->is_finite() || !answers[i]->has_shape_of(one.expected)) return false;
+      const Eigen::Vector3d input = as_matrix(one.inputs[a]).col(0).normalized();
+      const Eigen::MatrixXd right = as_matrix(one.expected), error = as_matrix(*answers[i]) - right;
+      for (Eigen::Index k = 0; k < error.cols(); ++k) {
+        const Eigen::Vector3d off = error.col(k), expected = right.col(k);
+        if (off.cross(input).norm() > exactness * (off.norm() + expected.norm())) return false;
+        if (off.norm() <= exactness * expected.norm()) continue;
+        ++wrong;
+        const bool has_one_number = (input.array() != 0).count() == 1;
+        if (!has_one_number && expected.cross(input).norm() > clearly_oblique * expected.norm()) ++oblique;
+      }
+      return true;
+    };
+    if (!std::ranges::all_of(deciding_cases(exercise), is_along) || wrong < fewest || oblique < fewest) continue;
+    return Reason{
+        ReasonKind::difference, "along",
+        fmt::format("Your result is wrong only by a vector along {0}, at every case: all that is perpendicular "
+                    "to {0} is right.",
+                    exercise.arguments[a].name),
+        Weight::possible};
+  }
+  return std::nullopt;
+}
+
 std::optional<Reason> diagnose_no_effect(const ExerciseReference& exercise, const Answers& answers) {
   constexpr std::size_t fewest = 3, most_named = 5;
   const bool has_few_results = exercise.result_kind == Kind::integer;  // of which many changes leave the right one

@@ -147,7 +147,7 @@ std::optional<Reason> diagnose_terms(const ExerciseReference& exercise, const An
   }
   if (wrong.empty() || is_multiple_of_right_answer(coefficients, right)) return std::nullopt;
   // That is no other formula, but a sum or an integration in large steps.
-  constexpr double nearly = 3e-3;
+  constexpr double nearly = 2e-2;
   if (std::ranges::all_of(wrong, [](const WrongCoefficient& each) {
         return std::abs(each.actual - each.expected) < nearly * std::abs(each.expected);
       }))

@@ -35,6 +35,7 @@ struct Transform {
   std::string message;
   std::function<MatrixXd(const MatrixXd&)> apply;
   Weight weight = Weight::cause;
+  ReasonKind kind = ReasonKind::transform;
 };
 
 /// The factor by least squares, each number measured in its natural size.
@@ -81,6 +82,9 @@ Transform scaled(const ExerciseReference& exercise, double factor) {
   const std::string text = coefficient_text(factor);
   if (text == "0")
     return {"zero", "Your result is zero everywhere, also where the expected one is not.", apply, Weight::symptom};
+  constexpr double nearly = 2e-2;  // so near to 1 is the sum or the integration of large steps too
+  if (std::abs(factor - 1) < nearly)
+    return {"factor", factor_sentence(text), apply, Weight::possible, ReasonKind::accuracy};
   const std::string simple = simple_number(factor);
   return {"factor", factor_sentence(simple.empty() ? text : simple), apply};
 }
@@ -247,7 +251,7 @@ std::optional<Reason> diagnose_transform(const ExerciseReference& exercise, cons
       return to_value(transform.apply(as_matrix(exercise.cases[i].expected)));
     };
     if (agree(exercise, answers, transformed))
-      return Reason{ReasonKind::transform, transform.name, transform.message, transform.weight};
+      return Reason{transform.kind, transform.name, transform.message, transform.weight};
   }
   return std::nullopt;
 }

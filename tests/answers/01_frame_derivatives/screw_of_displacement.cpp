@@ -16,6 +16,9 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
   Matrix3Xd out(3, 2);
   out << M.fullPivLu().solve(Vector3d(d - along)), along;
   return out;
+//! wrong: any solution of the singular equations
+-  const Matrix3d M = Matrix3d::Identity() - turn.toRotationMatrix() + n * n.transpose();
++  const Matrix3d M = Matrix3d::Identity() - turn.toRotationMatrix();
 //! wrong: cotangent of the whole angle
   const double a = rotation.norm();
   const Vector3d n = rotation / a, along = n * n.dot(d);
@@ -29,11 +32,8 @@ Matrix3Xd screw_of_displacement(const Vector3d& rotation, const Vector3d& d) {
 -  out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
 +  out << 0.5 * (d - along + n.cross(d) / std::tan(a / 2)), d;
 //! wrong: d with its part along the axis
-  const double a = rotation.norm();
-  const Vector3d n = rotation / a;
-  Matrix3Xd out(3, 2);
-  out << 0.5 * (d + n.cross(d) / std::tan(a / 2)), n * n.dot(d);
-  return out;
+-  out << 0.5 * (d - along + n.cross(d) / std::tan(a)), along;
++  out << 0.5 * (d + n.cross(d) / std::tan(a / 2)), along;
 //! wrong: rotation vector not normalised
   const double a = rotation.norm();
   const Vector3d along = rotation * rotation.dot(d);
