@@ -20,7 +20,8 @@ std::vector<std::string> arguments_for(const Submission& submission, const std::
   return {"-Wreturn-type", "-Wuninitialized", "-Wmaybe-uninitialized", "-Wfloat-conversion", "-Wparentheses",
           "-Wunused-value", "-Wtype-limits", "-Wunused-variable", "-Wunused-parameter", "-Wunused-but-set-variable",
           "-Wreturn-local-addr", "-Wimplicit-fallthrough", "-Wmisleading-indentation", "-Wshadow=local",
-          "-Wdiv-by-zero", "-Wsequence-point", "-Wlogical-not-parentheses", "-Wfloat-equal",
+          "-Wdiv-by-zero", "-Wsequence-point", "-Wlogical-not-parentheses", "-Wfloat-equal", "-Wcomment",
+          "-Woverloaded-virtual",
           // The student's own name of the file in assertions, and in what debuggers read.
           fmt::format("-fmacro-prefix-map={}={}", source, name),
           fmt::format("-fdebug-prefix-map={}=shown/{}", source, name),

@@ -361,6 +361,9 @@ const std::vector<MessageMistake> error_table = {
      R"((?:Vector|Matrix)\w*\s*::\s*([a-z]\w*)\s*\()"},
     {"arrow_for_dot", "base operand of '->' has non-pointer type",
      "-> is for pointers only; write a dot, as in v.norm()."},
+    {"argument_count", R"(too many arguments to function '[^']*?(\w+)\(\)')",
+     "`$1()` takes no arguments. If it is meant for a variable: with ( ) and nothing in them this declares a "
+     "function."},
     {"argument_count", "too (few|many) arguments to function '([^']*)'", "There are too $1 arguments for `$2`."},
     {"reference_to_temporary",
      "^cannot bind non-const lvalue|^binding reference of type .* (?:discards|drops)|^invalid initialization of "
@@ -844,6 +847,15 @@ const std::vector<MessageMistake> warning_table = {
     {"uninitialized_variable",
      R"(^-Wuninitialized[-a-z]*: '\*this\.[^']*?(\w+)' is used uninitialized|^-Wuninitialized: field '(\w+)' is uninit)",
      "`$1$2` has no value yet: members get theirs in the order in which they are declared, not in that of this list."},
+    {"size_in_bytes", R"(^-Wsizeof-array-argument: .* '(\w+)')",
+     "sizeof of a parameter is that of a pointer, whatever array is passed: pass the number of elements too, or a "
+     "Vector3d."},
+    {"unterminated_comment", "^-Wcomment: multi-line",
+     "A comment that ends in \\ goes on in the next line, which is not done: leave the \\ out."},
+    {"not_overridden", R"(^-Woverloaded-virtual[^:]*: '[^']*?(\w+)\()",
+     "`$1` of the derived type has other parameters, so that it does not replace this one: make them the same, and "
+     "write "
+     "override."},
     {"exact_end", "^-Wfloat-equal",
      "Rounded steps hardly ever meet a number exactly, so that this != hardly ever becomes false: compare by <.",
      R"(\b(?:while|for)\b.*!=)", Weight::possible},

@@ -178,15 +178,6 @@ const std::vector<TextMistake>& table() {
        Weight::possible},
       {"semicolon_in_sum", R"((;)\n[-+] [^\n]* ;$)",
        "This ; ends the statement, and the line below it is a statement of its own that is added to nothing."},
-      {"unsorted", R"(\b(EigenSolver) <)",
-       "EigenSolver gives the eigenvalues in no order; SelfAdjointEigenSolver, for symmetric matrices, in ascending "
-       "order.",
-       nullptr, " sort swap max min maxCoeff minCoeff ", Weight::possible},
-      {"ones", R"(\b(Matrix3d :: Ones \( \)))", "`$1` has a 1 in every entry; the unit matrix is Matrix3d::Identity().",
-       nullptr, "", Weight::possible, Fix::unit_matrix},
-      {"negative_remainder", R"(\( \w+ - 1 \) (% \d+)(?= |$))",
-       "`$1` keeps the sign: of -1 it is -1, which is no index. Add the divisor first, as in (i + 2) % 3.", nullptr, "",
-       Weight::possible},
       {"kept_expression",
        R"(^(?:const )?auto (\w+) = \w+ \( )" + inside +
            R"(\) \. (?:transpose|col|row|block|head|tail|segment|diagonal|array|matrix)\b[^\n]* ;$)",
@@ -204,8 +195,6 @@ const std::vector<TextMistake>& table() {
        "`$1` is a number of its own: % binds before + and -. Write (i + 1) % 3 for what is meant."},
       {"size_for_length", R"((?:^| )(\w+) / \1 \. size \( \))",
        "`$1.size()` is the number of components: the length of a vector is `$1.norm()`."},
-      {"size_in_bytes", R"(< (sizeof \( (\w+) \)))", "`$1` counts bytes: how many elements there are is `$2.size()`.",
-       nullptr, "", Weight::possible},
       {"unused_value",
        R"(^(?:(?:for|if|while) \( )" + inside + R"(\) )?(?!(?:return|for|if|while|switch)\b)[\w.]+(?: \( )" + inside +
            R"(\)| \[ [^\[\]]* \])* (==) [^\n]* ;$)",
@@ -259,8 +248,10 @@ const std::vector<TextMistake>& table() {
       {"left_from_stub",
        R"((?|^[^\n]*[;}]\n(throw) NotStarted \{\n\}\n;$|(throw) NotStarted \{\n\}\n;\n(?!\})[^\n]+$))",
        "This line of the empty exercise is still there: remove it.", nullptr, "", Weight::cause, Fix::none, false},
-      {"overwritten", R"(^([\w.\[\]() ,]+) = ([\w.\[\]() ,]+) ;\n\2 = \1 ;$)",
-       "`$2` gets back here what it has just given to `$1`, so this changes nothing: std::swap exchanges two values.",
+      {"entrywise_product", R"(\. array \( \) \. (exp) \( \))",
+       "array().exp() takes the exponential of each entry: that of a matrix is in unsupported/Eigen/MatrixFunctions, "
+       "and "
+       "a rotation is Eigen::AngleAxisd.",
        nullptr, "", Weight::possible},
       {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
        "What is printed is no result: return it in place of the 0.", nullptr, " if "},
@@ -274,8 +265,6 @@ const std::vector<TextMistake>& table() {
        is_named_once},
       {"resize_in_loop", R"(^(?:for|while) \( .* \) \{\n(\w+) \. resize \( [^\n]*;$)",
        "resize() drops what `$1` held so far: give it its size once, before the loop."},
-      {"divided_in_loop", R"(^for \( .* \) \{\n(\w+) \+= [^\n]* ;\n\1 /= [^\n]*(?:size|cols|rows) \( \) ;\n\}$)",
-       "Every turn divides all of `$1` again: divide once, after the loop."},
   };
   return mistakes;
 }
@@ -550,6 +539,7 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
   for (const Match& defined : search_all(source.text(), macro)) {
     const std::string call = "\\b" + defined[1] + "\\(";
     const bool is_torn = static_cast<bool>(search(source.text(), "[-/*%][ \t]*" + call)) ||
+                         static_cast<bool>(search(source.text(), call + R"([^()\n]*\)[ \t]*[*/])")) ||
                          static_cast<bool>(search(
                              source.text(), call + R"((?:[^()\n]|(\((?:[^()\n]|(?1))*\)))*[-+](?:[^()\n]|(?1))*\))"));
     if (is_torn)

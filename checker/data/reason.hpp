@@ -45,7 +45,6 @@ enum class Fix {
   no_noalias,
   as_value,
   by_reference,
-  unit_matrix,
   compound,
   macro
 };

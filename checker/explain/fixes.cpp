@@ -76,8 +76,6 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
       return in_place_of(",", ".");
     case Fix::by_reference:
       return {{source.offset_of({mistake.line, mistake.column}), 0, "& "}};
-    case Fix::unit_matrix:
-      return in_place_of("Ones", "Identity");
     case Fix::compound: {
       const Token* sign = token_at(source, mistake, "=");
       if (sign == nullptr) return {};

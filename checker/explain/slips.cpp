@@ -8,6 +8,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace workbook {
 
@@ -17,6 +18,8 @@ namespace {
 const std::string brackets = R"((?(DEFINE)([({](?:[^(){}]|(?1))*[)}])))";
 #define ANY R"((?:[^(){},;]|(?1))+)"        // between commas
 #define PART R"(\s*((?:[^(){},;]|(?1))+))"  // the same, as a group
+#define PI R"((?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14\d*))"
+#define BEGINS_AT_0 R"((?:\bdouble\s+|,\s*)(\w+)\s*=\s*(0(?:\.0*)?)\s*[,;])"
 #define COMPARISON R"((?:[^(){};,?&|<>=!]|(?1))+[<>]=?(?:[^(){};,?&|<>=!]|(?1))+)"
 
 /// What is written, and what was meant, with $2, $3, ... of the pattern.
@@ -25,13 +28,16 @@ struct Slip {
   const char* pattern = "";
   const char* change = "";  ///< in the place of $2
   const char* sentence = "";
-  std::size_t group = 2;  ///< or of another one
+  std::size_t group = 2;    ///< or of another one
+  bool everywhere = false;  ///< all places at once, and the first one is told
 };
 
 constexpr Slip slip_table[] = {
     {"negative_remainder", R"(((?:std\s*::\s*)?\bfmod)\s*\()",
      "[](double a, double b) { return a - b * std::floor(a / b); } ",
      "fmod keeps the sign of its first argument, so that the remainder of a negative number is negative."},
+    {"negative_remainder", R"(\(\s*\w+\s*-\s*[12]()\s*\)\s*%\s*(\w+))", " + $3",
+     "% keeps the sign: -1 % $3 is -1, which is no index. Add the divisor first, as in (i + 2) % 3.", 2, true},
     {"second_name",
      R"((?:^|[;{}])\s*(?:const\s+)?[\w:]+\s*(&)\s*(\w+)\s*=\s*([A-Za-z]\w*)(?=[^]*\b(?:\3|\4)\b\s*(?:\[[^\]]*\]\s*)?[-+*/]?=[^=]))",
      "", "With &, `$3` is no copy but a second name of `$4`: what changes the one changes the other."},
@@ -43,7 +49,7 @@ constexpr Slip slip_table[] = {
     {"scalar_last",
      R"(\.\s*coeffs\s*\(\s*\)\s*(?:<<|=\s*(?:[\w:]*Vector4d\s*)?\()()" PART "," PART "," PART "," PART R"()[;)])",
      "$4, $5, $6, $3", "coeffs() holds x, y, z, w in this order: w comes last, unlike in Quaterniond(w, x, y, z)."},
-    {"size_in_bytes", R"((sizeof\s*\(\s*(\w+)\s*\)\s*/\s*sizeof\s*(?1)))", "$3.size()",
+    {"size_in_bytes", R"((sizeof\s*\(\s*(?!double|int|float)(\w+)\s*\)(?:\s*/\s*sizeof\s*(?1))?))", "std::size($3)",
      "sizeof counts the bytes of the object, not its entries: these are `$3.size()`."},
     {"columns_for_rows", R"(\bMap\s*<\s*(?:const\s+)?((?:Eigen\s*::\s*)?Matrix([234])d))",
      "Eigen::Matrix<double, $3, $3, Eigen::RowMajor>",
@@ -51,8 +57,22 @@ constexpr Slip slip_table[] = {
     {"columns_for_rows", R"(<<(?=\s*[A-Za-z])()" PART "," PART "," PART R"();)",
      "($3).transpose(), ($4).transpose(), ($5).transpose()",
      "With << these stand side by side, as columns: rows are a.transpose(), b.transpose(), ..."},
-    {"copied_element", R"(\bfor\s*\([^;&()]*\w\s+(\w+)\s*:(?!:))", "&$2",
+    {"copied_element", R"(\bfor\s*\([^;&()]*\w\s+(\w+)\s*:(?![:{]|\s+\{))", "&$2",
      "`$2` is a copy of each element, which the list does not notice: write & before `$2`."},
+    {"copied_element", R"(\bfor\s*\([^;&()]*\w\s+((\w+)\s*:\s*\{)" PART "," PART "," PART R"(\}))",
+     "&$3 : {std::ref($4), std::ref($5), std::ref($6)}",
+     "`$3` is a copy of each of these variables, which keep their values: change them one by one."},
+    {"columns_for_rows", R"(=\s*((\w+)\s*\.\s*data\s*\(\s*\))(?=\s*(?:\+[^;]*)?;))",
+     "(new Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>($3))->data()",
+     "data() holds a matrix column by column: x, y, z of the first column, then those of the second.", 2, true},
+    {"columns_for_rows", R"(\bdouble\s+(\w+)\s*\[[^]*?\bMatrix3d(?:\s+\w+)?\s*[({]\s*(\2)\s*[)}])",
+     "(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>($2))",
+     "A matrix that is made of an array takes its numbers column by column: `<<` takes them row by row.", 3},
+    {"columns_for_rows",
+     R"(<<(\s*(\w+)\s*\.\s*transpose\s*\(\s*\)\s*,\s*(\w+)\s*\.\s*transpose\s*\(\s*\)\s*,\s*(\w+)\s*\.\s*transpose\s*\(\s*\))\s*;)",
+     "$3, $4, $5", "With << these are the rows: as columns they stand without transpose().", 2, true},
+    {"braces_for_size", R"(\bvector\s*<\s*(?:double|int)\s*>\s*\w*\s*(\{\s*(\w+\s*(?:,\s*[\d.]+\s*)?)\}))", "($3)",
+     "In braces stand the elements themselves: a size stands in parentheses, as in v(3, 0.0)."},
     {"copied_part",
      R"(\b((?:Vector|Matrix)[23X]d)\s+(\w+)\s*=\s*(\w+)\s*\.\s*(?:col|row|block|head|tail|segment|diagonal)\b)", "auto",
      "`$3` is a copy of a part of `$4`: what changes the one does not change the other. With auto, `$3` is this part "
@@ -80,8 +100,10 @@ constexpr Slip slip_table[] = {
     {"base_first", R"(\bpow\s*\(()" PART "," PART R"()\))", "$4, $3", "The base comes first in pow(base, exponent)."},
     {"size_first", R"(\bcopysign\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The size comes first in copysign(size, sign)."},
-    {"number_first", R"(\bclamp\s*\(()" PART "," PART "," PART R"()\))", "$4, $3, $5",
+    {"number_first", R"(\bclamp\s*\((\s*(-?[\d.e]+),)" PART "," PART R"()\))", "$4, $3, $5",
      "The number itself comes first in clamp(x, lowest, highest)."},
+    {"ones", R"(\bMatrix\w+\s*::\s*(Ones)\s*\()", "Identity",
+     "Ones() has a 1 in every entry; the unit matrix is Matrix3d::Identity().", 2, true},
     {"modulus_first", R"(\bellint_[12]\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The modulus k comes first in ellint_1(k, phi), and then the angle."},
     {"modulus_first", R"(\bellint_3\s*\(()" PART "," PART R"()[,)])", "$4, $3",
@@ -100,8 +122,33 @@ constexpr Slip slip_table[] = {
      "The row comes first, and then the column, in block<3, 3>(row, column)."},
     {"arguments_of_atan2", R"(\batan2\s*\(()" PART "," PART R"()\))", "$4, $3",
      "The y comes first in atan2(y, x): here the x is given first."},
+    {"smallest_positive", R"(\bnumeric_limits\s*<\s*\w+\s*>\s*::\s*(min)\s*\()", "lowest",
+     "min() of a double is the smallest positive number; the most negative one is lowest()."},
+    {"octal_number", R"((?<![\w.])(?<![eE][-+])(0+([1-9]\d*))(?![\w.]))", "$3",
+     "A whole number that begins with 0 is read in base 8: leave the 0 out.", 2, true},
+    {"signbit", R"(((?:std\s*::\s*)?\bsignbit)\s*\()", "[](double x) { return std::signbit(x) ? -1.0 : 1.0; }",
+     "signbit is true, or 1, for negative numbers and 0 for others: a sign is std::copysign(1.0, x).", 2, true},
+    {"lower_triangle", R"(\.\s*(ldlt|llt)\s*\()", "partialPivLu",
+     "$2() reads only the lower half of a matrix, which it takes for symmetric: of others take partialPivLu().", 2,
+     true},
+    {"degrees", R"(\b(M_2_PI)\b)", "(2 * 3.14159265358979323846)", "M_2_PI is 2/π: for 2π write 2 * M_PI.", 2, true},
+    {"value_from_before", R"((\b(\w+)\s*(--|\+\+))\s*[-+*/])", "($4$3)",
+     "`$3$4` hands on the value from before it is changed: write $4$3."},
+    {"other_method", R"(\.\s*(tail)\b)", "head", "tail() takes the last entries: the first ones are head()."},
+    {"other_method", R"(\.\s*(head)\b)", "tail", "head() takes the first entries: the last ones are tail()."},
+    {"last_turn_only", R"((?:[;{})]|\belse)\s*\w+\s*(=)\s*[^;{}=?]+?(?:[<>]=?|[=!]=)[^;{}?]+;)",
+     "|=", "= keeps what the last turn says: once true it stays true with |=.", 2, true},
+    {"changed_copy",
+     R"(\]\s*\((?:[^()]*,)?\s*(?:Eigen\s*::\s*)?(?:Vector\w+|Matrix\w+|double|auto)()\s+(\w+)\s*[,)](?=[^{}]*\{[^{}]*\b\3\b\s*(?:[-+*/]?=(?!=)|\[[^\]]*\]\s*[-+*/]?=(?!=)|\.\s*(?:normalize|setZero|transposeInPlace)\b)))",
+     " &", "`$3` is a copy of what this function is called with: write & behind its type.", 2, true},
+    {"min_for_max", R"(\b(max(\s*\(\s*(?:[^(){};,]|(?1))+,\s*(?:std\s*::\s*)?)min)\b)", "min$3max",
+     "max(1, min(-1, x)) is always 1: min and max are exchanged."},
+    {"min_for_max", R"(\b(min(\s*\(\s*(?:[^(){};,]|(?1))+,\s*(?:std\s*::\s*)?)max)\b)", "max$3min",
+     "min(-1, max(1, x)) is always -1: min and max are exchanged."},
     {"whole_cast", R"((?:\(\s*|<\s*|\b)(int|long)(?=\s*(?:\)|>\s*\(|\()))", "double",
      "$2 keeps only what stands before the decimal point."},
+    {"narrowing", R"(\b(?:vector|array)\s*<\s*(int|long)\b[^;<>]*>\s*(\w+)\b(?![^]*[\[(]\s*\3\s*[\[(]))", "double",
+     "`$3` holds whole numbers, and drops what follows each decimal point: make them double."},
     {"missing_else", R"(\bif\s*(?1)\s*(?1)\s*()\{)", "else ",
      "This block follows whether the condition is true or not: an else is missing in front of it."},
     {"negative_number",
@@ -140,11 +187,14 @@ constexpr Slip slip_table[] = {
     {"bracket_too_late",
      R"(\b(?:sqrt|abs|sin|cos|tan|exp|log|a(?:sin|cos|tan))\s*\((((?:[^(){};,]|(?1))+?)\s*([-+*/])\s*((?:[^(){};,+-]|(?1))+)\)))",
      "$3) $4 $5", "The bracket of this function closes too late: its last part belongs outside."},
-    {"degrees",
-     R"(((?:\s*\*\s*(?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14\d*)\s*/\s*180(?:\.0*)?|\s*/\s*180(?:\.0*)?\s*\*\s*(?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14\d*))(?![\w.])))",
-     "", "This takes the angle for degrees, but it is in radians: leave the factor out."},
-    {"degrees", R"((?<!/)(?<!/ )\b(180(?:\.0*)?)(?![\w.])(?!\s*[*/]\s*(?:\w+\s*::\s*)*(?:M_PI|EIGEN_PI|pi|3\.14)))",
-     "3.14159265358979323846", "Sine, cosine and all angles are in radians here: 180° are std::numbers::pi."},
+    {"degrees", R"(((?:\s*\*\s*)" PI R"(\s*/\s*180(?:\.0*)?|\s*/\s*180(?:\.0*)?\s*\*\s*)" PI R"()(?![\w.])))", "",
+     "This takes the angle for degrees, but it is in radians: leave the factor out."},
+    {"degrees", R"((?<!/)(?<!/ )\b(180(?:\.0*)?)(?![\w.])(?!\s*[*/]\s*)" PI R"())", "3.14159265358979323846",
+     "Sine, cosine and all angles are in radians here: 180° are std::numbers::pi."},
+    {"break_for_continue", R"((\bbreak)\s*;(?![^]*\bswitch\b))", "continue",
+     "break ends the whole loop; continue leaves out only the rest of this turn."},
+    {"continue_for_break", R"((\bcontinue)\s*;)", "break",
+     "continue leaves out only the rest of this turn; break ends the whole loop."},
     {"return_in_loop", R"(\belse\s*\{?\s*(return\b[^;{}]*;))", ";",
      "This return ends the loop in its first turn: it belongs after the loop."},
     {"end_of_range",
@@ -154,6 +204,10 @@ constexpr Slip slip_table[] = {
      "A range ends one behind its last element, which is where end() is."},
     {"index_for_value", R"(\b(\w+)\s*\[\s*(\w+)\s*\]\s*[<>]=?\s*(\w+)\s*\)\s*\{?\s*\4\s*=\s*(\3)\s*;)", "$2[$3]",
      "This keeps the index of the element; the element itself is `$2[$3]`.", 5},
+    {"index_for_value", R"(\b(\w+)\s*\[\s*(\w+)\s*\]\s*[<>]=?\s*(\w+)\s*\)\s*\{?\s*\4\s*=\s*\3\s*;)", "$2[$4]",
+     "`$4` is the index of an element: compare with the element itself, `$2[$4]`.", 4},
+    {"divided_in_loop", R"(\bfor\s*(?1)\s*\{[^{}]*?\b(\w+)\s*\+=[^{}]*?;\s*((\2\s*/=[^;{}=]+;)([^{}]*\})))", "$5 $4",
+     "Every turn divides all of `$2` again: divide once, after the loop.", 3},
     {"changing_total",
      R"(((\bfor\s*(?1)\s*\{?\s*)(\w+\s*[\[(]\s*\w+\s*[\])])\s*([-*/]=)\s*(\w+)\s*\.\s*(mean|sum|norm|maxCoeff|minCoeff)\s*\(\s*\)))",
      "const auto workbook_total = $6.$7(); $3$4 $5 workbook_total",
@@ -163,16 +217,17 @@ constexpr Slip slip_table[] = {
     {"difference_for_order",
      R"(\b(?:sort|stable_sort|nth_element|(?:min|max|minmax)_element|lower_bound|upper_bound)\s*\((?=[^;]*\{\s*return\b)[^;]*?\breturn\b[^;<>]*?(?<!return)(?<![(,=])\s(-)\s[^;<>]*;)",
      "<", "What says which comes first is true or false, and every number but 0 is true: write a < b."},
-    {"extreme_from_zero",
-     R"((?:\bdouble\s+|,\s*)(\w+)\s*=\s*(0(?:\.0*)?)\s*[,;](?=[^]*(?:\b\2\s*=\s*(?:std\s*::\s*)?min\s*\(|<\s*\2\b|\b\2\s*>)))",
+    {"loop_never_runs", BEGINS_AT_0 R"((?=[^]*\bwhile\s*\(\s*\2\s*>))", "HUGE_VAL",
+     "With this 0 the condition of the loop is false at once, and it never runs: begin with infinity.", 3},
+    {"extreme_from_zero", BEGINS_AT_0 R"((?=[^]*(?:\b\2\s*=\s*(?:std\s*::\s*)?min\s*\(|<\s*\2\b|\b\2\s*>)))",
      "HUGE_VAL",
      "No positive number is smaller than the 0 that `$2` begins with: begin with the first of them, or infinity.", 3},
-    {"extreme_from_zero",
-     R"((?:\bdouble\s+|,\s*)(\w+)\s*=\s*(0(?:\.0*)?)\s*[,;](?=[^]*(?:\b\2\s*=\s*(?:std\s*::\s*)?max\s*\(|>\s*\2\b|\b\2\s*<)))",
+    {"extreme_from_zero", BEGINS_AT_0 R"((?=[^]*(?:\b\2\s*=\s*(?:std\s*::\s*)?max\s*\(|>\s*\2\b|\b\2\s*<)))",
      "-HUGE_VAL",
      "No negative number is larger than the 0 that `$2` begins with: begin with the first of them, or -infinity.", 3},
     {"captured_value", R"([=(,{]\s*\[(=|\w+(?:\s*,\s*\w+)*)\]\s*[({])", "&",
-     "This lambda keeps copies of variables as they are here, and does not see what they are given later: write [&]."},
+     "This lambda keeps copies of variables as they are here, and does not see what they are given later: write [&].",
+     2, true},
     {"rounded_counter",
      R"(\b(?:for\s*\([^;]*;|while\s*\()\s*(\w+)\s*<(?!=)\s*((?:[^(){};]|(?1))+?)()\s*[;)](?=[^]*?\b\2\s*\+=\s*([\w.]+)\s*[;)]))",
      " - $5 / 2",
@@ -187,42 +242,43 @@ constexpr Slip slip_table[] = {
      4},
     {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.\s*(?:sum|mean|prod|norm|squaredNorm|maxCoeff|minCoeff)\b)",
      "rowwise", "colwise() has a result for each column; that over all columns is rowwise()."},
+    {"counts_from_one", R"(\.\s*(?:segment|middleCols|middleRows|col|row)\s*(?:<\s*\d\s*>\s*)?\(\s*(\d)\s*[,)])",
+     "$2 - 1", "Indices start at 0: the first column is A.col(0), the first two entries are v.segment(0, 2).", 2, true},
+    {"unsigned_number", R"(\b((?:std\s*::\s*)?size_t|unsigned(?:\s+(?:int|long))?)\s+(\w+)\s*[={,)])", "long",
+     "An unsigned number is never negative, and wraps around to a very large one: make `$3`, and others like it, an "
+     "int.",
+     2, true},
+    {"if_for_while", R"(\b(if)\s*\(\s*(\w+)\s*[<>][^;{}]*\)\s*\{?\s*\3\s*[-+*/]=)", "while",
+     "This if is done once: a while goes on until its condition is false.", 2, true},
+    {"other_method", R"(\.\s*(resize)\s*\()", "conservativeResize",
+     "resize() drops what a matrix holds: give it its size before the loop, or use conservativeResize().", 2, true},
+    {"arguments_of_atan2", R"(((?:std\s*::\s*)?\batan2)\s*\()", "[](auto x, auto y) { return std::atan2(y, x); }",
+     "The y comes first in atan2(y, x): here the x is given first.", 2, true},
+    {"rows_for_columns", R"(\.\s*(row)\s*\()", "col",
+     "Here, and wherever else row() stands, col() is right: rows are mixed up with columns.", 2, true},
+    {"rows_for_columns", R"(\.\s*(col)\s*\()", "row",
+     "Here, and wherever else col() stands, row() is right: rows are mixed up with columns.", 2, true},
 };
 
 class Slips {
  public:
   Slips(const SourceText& source, const ExerciseReference& exercise) : source_(source) {
     for (Variant& each : one_token_variants(source, exercise)) of_variant(std::move(each));
-    for (const Slip& slip : slip_table)
-      for (const Match& read : search_all(source.text(), brackets + std::string(slip.pattern)))
-        add(slip.name, read.fill(slip.sentence), source.place_of(read.offsets[slip.group]),
-            {{read.offsets[slip.group], read[slip.group].size(), read.fill(slip.change)}});
+    for (const Slip& slip : slip_table) of_table(slip);
     for (std::size_t k = 2; k + 2 < source.tokens().size(); ++k) {
       begins_anew(k);
       goes_on(k);
     }
-    counts_from_one();
-    unsigned_numbers();
-    if_for_while();
     length_after_normalize();
     for (const Argument& argument : exercise.arguments)
       if (argument.kind == Kind::points)
         for (const auto& [method, what] : {std::pair{"size", "counts all entries"}, {"rows", "is 3"}})
-          other_everywhere(
-              "size_for_columns", method, "cols",
-              fmt::format("`{0}.{1}()` {2}: the number of columns is `{0}.cols()`.", argument.name, method, what),
-              argument.name);
-    other_everywhere(
-        "other_method", "resize", "conservativeResize",
-        "resize() drops what a matrix holds: give it its size before the loop, or use conservativeResize().");
+          of_table({"size_for_columns", fmt::format(R"(\b{}\s*\.\s*({})\s*\()", argument.name, method).c_str(), "cols",
+                    fmt::format("`{0}.{1}()` {2}: the number of columns is `{0}.cols()`.", argument.name, method, what)
+                        .c_str(),
+                    2, true});
     sizes_for_ends();
     entry_by_entry();
-    other_everywhere("arguments_of_atan2", "atan2", "[](auto x, auto y) { return std::atan2(y, x); }",
-                     "The y comes first in atan2(y, x): here the x is given first.");
-    other_everywhere("rows_for_columns", "row", "col",
-                     "Here, and wherever else row() stands, col() is right: rows are mixed up with columns.");
-    other_everywhere("rows_for_columns", "col", "row",
-                     "Here, and wherever else col() stands, row() is right: rows are mixed up with columns.");
   }
 
   std::vector<Reason> reasons;
@@ -249,6 +305,20 @@ class Slips {
     add(name, sentence, source_.place_of(source_.tokens()[at].offset), std::move(edits));
   }
 
+  void of_table(const Slip& slip) {
+    std::vector<Edit> edits;
+    std::string sentence;
+    Place place;
+    for (const Match& read : search_all(source_.text(), brackets + std::string(slip.pattern))) {
+      if (edits.empty()) {
+        sentence = read.fill(slip.sentence);
+        place = source_.place_of(read.offsets[slip.group]);
+      }
+      edits.push_back({read.offsets[slip.group], read[slip.group].size(), read.fill(slip.change)});
+      if (!slip.everywhere) add(slip.name, sentence, place, std::exchange(edits, {}));
+    }
+    if (!edits.empty()) add(slip.name, sentence, place, std::move(edits));
+  }
   void of_variant(Variant each) {
     const auto tell = [&](const char* name, const std::string& sentence, Fix fix = Fix::when_all_right) {
       add(name, sentence, each.place, std::move(each.edits), fix);
@@ -268,15 +338,16 @@ class Slips {
     else if (each.kind == VariantKind::overwritten && is_used_in_next_statement(each))
       tell("overwritten",
            "The line above has changed this variable, and here the value from before is needed: keep that in a "
-           "variable of its own.");
+           "variable of its own. (std::swap exchanges two values.)");
   }
 
-  /// x = c * x - s * y; y = s * x + c * y;
+  /// x = c * x - s * y; y = s * x + c * y; and x = y; y = x;
   bool is_used_in_next_statement(const Variant& variant) const {
     const std::size_t begin = variant.edits[0].offset, use = variant.edits[1].offset;
     const std::string_view between = source_.text().substr(begin, use - begin);
     const std::string_view name = source_.text().substr(use, variant.edits[1].length);
-    return std::ranges::count(between, ';') == 1 && between.find(name, name.size()) < between.find(';');
+    return std::ranges::count(between, ';') == 1 && (between.find(name, name.size()) < between.find(';') ||
+                                                     search(between, R"(=\s*([^;=]+?)\s*;\s*\1\s*=\s*$)"));
   }
 
   /// double sum = 0; for (…) { for (…) sum += …; R(i, j) = sum; }: what is declared before a loop and only added to in
@@ -360,49 +431,6 @@ class Slips {
     return "";
   }
 
-  /// A.col(1) and v.segment(1, 2) for the first ones
-  void counts_from_one() {
-    std::vector<Edit> edits;
-    for (const Match& read :
-         search_all(source_.text(),
-                    R"(\.\s*(?:segment|middleCols|middleRows|col|row)\s*(?:<\s*\d\s*>\s*)?\(\s*(\d)\s*[,)])")) {
-      if (read[1] == "0") return;
-      edits.push_back({read.offsets[1], 1, std::to_string(std::stoi(read[1]) - 1)});
-    }
-    if (edits.empty()) return;
-    const Place place = source_.place_of(edits[0].offset);
-    add("counts_from_one",
-        "Indices start at 0: the first column is A.col(0), the first two entries are v.segment(0, 2).", place,
-        std::move(edits));
-  }
-
-  /// std::size_t i, unsigned j: all of them as numbers with a sign
-  void unsigned_numbers() {
-    std::vector<Edit> edits;
-    std::string name;
-    for (const Match& read :
-         search_all(source_.text(), R"(\b((?:std\s*::\s*)?size_t|unsigned(?:\s+(?:int|long))?)\s+(\w+)\s*[={])")) {
-      if (edits.empty()) name = read[2];
-      edits.push_back({read.offsets[1], read[1].size(), "long"});
-    }
-    if (edits.empty()) return;
-    const Place place = source_.place_of(edits[0].offset);
-    const std::string sentence =
-        fmt::format("An unsigned number is never negative, and wraps around to a very large one: make `{}`{} an int.",
-                    name, edits.size() > 1 ? ", and each of the others," : "");
-    add("unsigned_number", sentence, place, std::move(edits));
-  }
-
-  /// if (phi > pi) phi -= 2 * pi;
-  void if_for_while() {
-    std::vector<Edit> edits;
-    for (const Match& read : search_all(source_.text(), R"(\b(if)\s*\(\s*(\w+)\s*[<>][^;{}]*\)\s*\{?\s*\2\s*[-+*/]=)"))
-      edits.push_back({read.offsets[1], 2, "while"});
-    if (edits.empty()) return;
-    const Place place = source_.place_of(edits[0].offset);
-    add("if_for_while", "This if is done once: a while goes on until its condition is false.", place, std::move(edits));
-  }
-
   /// L.normalize(); … L.norm()
   void length_after_normalize() {
     for (const Match& changed : search_all(source_.text(), R"(\b(\w+)\s*\.\s*normalize\s*\(\s*\)\s*;)")) {
@@ -462,27 +490,14 @@ class Slips {
         place, std::move(edits));
   }
 
-  /// A method, or a function of std, that is exchanged wherever it is called, or called of one object.
-  void other_everywhere(const char* name, std::string_view method, const char* other, const std::string& sentence,
-                        std::string_view object = "") {
-    std::vector<Edit> edits;
-    std::size_t first = 0;
-    const bool is_function = other[0] == '[';
-    for (std::size_t k = 2; k + 1 < source_.tokens().size(); ++k) {
-      if (token(k) != method || token(k + 1) != "(" || (token(k - 1) != ".") != is_function) continue;
-      if (!object.empty() && token(k - 2) != object) continue;
-      if (edits.empty()) first = k;
-      edits.push_back(replaced(token(k - 1) == "::" ? k - 2 : k, k, other));
-    }
-    if (!edits.empty()) add(name, sentence, first, edits);
-  }
-
   const SourceText& source_;
 };
 
 #undef ANY
 #undef PART
 #undef COMPARISON
+#undef BEGINS_AT_0
+#undef PI
 
 }  // namespace
 
