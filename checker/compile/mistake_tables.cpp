@@ -854,8 +854,7 @@ const std::vector<MessageMistake> warning_table = {
      "A comment that ends in \\ goes on in the next line, which is not done: leave the \\ out."},
     {"not_overridden", R"(^-Woverloaded-virtual[^:]*: '[^']*?(\w+)\()",
      "`$1` of the derived type has other parameters, so that it does not replace this one: make them the same, and "
-     "write "
-     "override."},
+     "write override."},
     {"exact_end", "^-Wfloat-equal",
      "Rounded steps hardly ever meet a number exactly, so that this != hardly ever becomes false: compare by <.",
      R"(\b(?:while|for)\b.*!=)", Weight::possible},

@@ -250,8 +250,7 @@ const std::vector<TextMistake>& table() {
        "This line of the empty exercise is still there: remove it.", nullptr, "", Weight::cause, Fix::none, false},
       {"entrywise_product", R"(\. array \( \) \. (exp) \( \))",
        "array().exp() takes the exponential of each entry: that of a matrix is in unsupported/Eigen/MatrixFunctions, "
-       "and "
-       "a rotation is Eigen::AngleAxisd.",
+       "and a rotation is Eigen::AngleAxisd.",
        nullptr, "", Weight::possible},
       {"printed_value", R"((cout) << [^\n]* ;\nreturn 0(?:\.0*)? ;\n\}$)",
        "What is printed is no result: return it in place of the 0.", nullptr, " if "},

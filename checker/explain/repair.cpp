@@ -490,12 +490,11 @@ CodeReasons code_reasons(const DiagnosticTask& task, const std::vector<Reason>& 
   const auto is_alike = [](double one, double other) { return std::abs(one - other) <= 0.01 * other; };
   CodeReasons reasons{{}, false, true};
   for (std::size_t k = 0; k < variants.size(); ++k) {
-    if (variants[k].kind == VariantKind::all_fixes || !runner.is_other(k) ||
-        (!errors.empty() && std::ranges::equal(runner.errors(k), errors, is_alike)))
-      continue;
+    if (variants[k].kind == VariantKind::all_fixes || !runner.is_other(k)) continue;
+    const std::vector<double> left = runner.errors(k);
+    if (!errors.empty() && std::ranges::equal(left, errors, is_alike)) continue;
     // What may be meant as it stands, like `int n = t / h`, is a reason only if the error becomes clearly less.
     constexpr double clearly_less = 0.7;
-    const std::vector<double> left = runner.errors(k);
     const bool is_better = errors.empty() || (!left.empty() && sum(left) < clearly_less * sum(errors));
     for (Reason& each : fixed_by(variants[k]))
       if (each.is_cause() || is_better) reasons.reasons.push_back(std::move(each));
