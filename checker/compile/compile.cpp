@@ -231,6 +231,7 @@ class CompilationInProgress {
       if (uses_streams_ || support.stem() != "streams") arguments.push_back(support.string());
     arguments.insert(arguments.end(), {"unit.o", toolchain_.worker_object(task_.exercise).string()});
     for (const std::string& own : linked_) arguments.push_back(own + ".o");
+    for (const Instantiation& each : compiler_.instantiated()) arguments.push_back(each.object.string());
     for (const std::string& flag : toolchain_.link_flags) arguments.push_back(flag);
     arguments.insert(arguments.end(), {"-o", "worker"});
     const FinishedProgram linked = compiler_.run(arguments);
@@ -312,7 +313,7 @@ class CompilationInProgress {
       if (token.text == function) errors = {source_.reason(source_.place_of(token.offset), name, message)};
     refuse(errors.empty() ? message
            : refusal == Refusal::missing_function
-               ? "Your file does not define the function of this exercise."
+               ? "Your file does not define the function of this exercise as the contract declares it."
                : fmt::format("Your file cannot be linked into a program; see line {}.", errors.front().line),
            output, errors, refusal);
   }

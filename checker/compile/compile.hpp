@@ -114,7 +114,8 @@ class Compiler {
         deadline_(Clock::now() +
                   std::chrono::duration_cast<Clock::duration>(limits::compile_time_on_busy_machines * limits.time)) {}
 
-  /// Writes unit.cpp, or a file of another name; `before` stands before its first line and is not counted.
+  /// Writes unit.cpp, or a file of another name; `before` stands before its first line and is not counted. Templates
+  /// that are instantiated already are declared for all that is compiled from then on.
   /// @throws std::runtime_error if it cannot be written
   void write(std::string_view source, const std::string& before = {}, const std::string& name = unit_name) const;
 
@@ -137,6 +138,9 @@ class Compiler {
   /// May a student's file include this one? Headers of the course and of the system only: others hold the answers.
   bool may_be_included(const std::string& file) const;
 
+  /// What to link for the files that were written.
+  const std::vector<Instantiation>& instantiated() const { return instantiated_; }
+
   const std::filesystem::path& workspace() const { return workspace_; }
   double processor_seconds() const { return used_; }  ///< of all that was run so far
 
@@ -148,6 +152,7 @@ class Compiler {
   const CompileLimits& limits_;
   const std::filesystem::path workspace_;
   const Clock::time_point deadline_;
+  mutable std::vector<Instantiation> instantiated_ = {};
   mutable double used_ = 0.0;
 };
 

@@ -11,21 +11,35 @@
 namespace workbook {
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* instantiated_name = "instantiated.hpp";
+
+}  // namespace
+
 void Compiler::write(std::string_view source, const std::string& before, const std::string& name) const {
-  const fs::path file = workspace_ / name;
+  const auto write_text = [&](const std::string& file, const std::string& text) {
+    const std::string problem = write_file(workspace_ / file, text);
+    if (!problem.empty())
+      throw std::runtime_error(fmt::format("The checker cannot write {} ({}); this is not your mistake.",
+                                           (workspace_ / file).string(), problem));
+  };
+  for (Instantiation& each : instantiations(toolchain_, source))
+    if (std::ranges::count(instantiated_, each.object, &Instantiation::object) == 0)
+      instantiated_.push_back(std::move(each));
+  std::string declarations;
+  for (const Instantiation& each : instantiated_) declarations += each.declarations;
+  if (!declarations.empty()) write_text(instantiated_name, declarations);
   if (!before.empty() && source.starts_with(byte_order_mark)) source.remove_prefix(byte_order_mark.size());
   // Not without need: after a #line GCC does not look at the indentation.
-  const std::string problem = write_file(
-      file, before.empty() ? std::string(source) : fmt::format("{}#line 1 \"{}\"\n{}", before, name, source));
-  if (!problem.empty())
-    throw std::runtime_error(
-        fmt::format("The checker cannot write {} ({}); this is not your mistake.", file.string(), problem));
+  write_text(name, before.empty() ? std::string(source) : fmt::format("{}#line 1 \"{}\"\n{}", before, name, source));
 }
 
 std::vector<std::string> Compiler::arguments(const std::vector<std::string>& more) const {
   std::vector<std::string> arguments = toolchain_.flags;
   arguments.insert(arguments.end(),
                    {"-pipe", "-fdiagnostics-color=never", "-x", "c++", "-include", toolchain_.prelude.string()});
+  if (!instantiated_.empty()) arguments.insert(arguments.end(), {"-include", instantiated_name});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }

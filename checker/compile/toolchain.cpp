@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
-#include <fstream>
 
 namespace workbook {
 
@@ -19,24 +20,6 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Toolchain, compiler, flags, prelude, include_
 namespace {
 
 constexpr int toolchain_format = 1;
-
-/// Written under another name first: another checker may be making the same.
-void make_worker_object(const Toolchain& toolchain, const std::string& exercise) {
-  const fs::path source = toolchain.directory / fmt::format("{}.{}.cpp", exercise, getpid());
-  const fs::path object = source.string() + ".o";
-  std::ofstream(source) << fmt::format("#include \"{}\"\nint main() {{ return workbook::{}(&rigid::{}); }}\n",
-                                       toolchain.main_header.string(), toolchain.main_function, exercise);
-  std::vector<std::string> arguments = toolchain.flags;
-  arguments.insert(arguments.end(), {"-I", toolchain.main_include.string(), "-include", toolchain.prelude.string(),
-                                     "-c", source.string(), "-o", object.string()});
-  const FinishedProgram compiled = run_with_path(toolchain.compiler.string(), arguments, std::chrono::minutes(2));
-  std::error_code problem;
-  fs::remove(source, problem);
-  if (compiled.succeeded()) fs::rename(object, toolchain.worker_object(exercise), problem);
-  if (!compiled.succeeded() || problem)
-    throw ToolchainError(fmt::format("The worker of {} could not be compiled{}; does the contract declare it?\n{}",
-                                     exercise, problem ? " (" + problem.message() + ")" : "", compiled.output));
-}
 
 }  // namespace
 
@@ -55,6 +38,25 @@ Toolchain read_toolchain(const fs::path& file) {
   }
 }
 
+std::string make_object(const Toolchain& toolchain, const fs::path& object, const std::string& text) {
+  std::error_code problem;
+  const auto made = fs::last_write_time(object, problem);
+  if (!problem && std::ranges::all_of(toolchain.support,
+                                      [&](const fs::path& part) { return fs::last_write_time(part, problem) <= made; }))
+    return "";
+  // Written under another name first: another checker may be making the same.
+  const std::string draft = fmt::format("{}.{}", object.string(), getpid());
+  if (std::string unwritable = write_file(draft + ".cpp", text); !unwritable.empty()) return unwritable;
+  std::vector<std::string> arguments = toolchain.flags;
+  arguments.insert(arguments.end(), {"-I", toolchain.main_include.string(), "-include", toolchain.prelude.string(),
+                                     "-c", draft + ".cpp", "-o", draft});
+  const FinishedProgram compiled = run_with_path(toolchain.compiler.string(), arguments, std::chrono::minutes(2));
+  fs::remove(draft + ".cpp", problem);
+  if (!compiled.succeeded()) return compiled.output.empty() ? "The compiler stopped early." : compiled.output;
+  fs::rename(draft, object, problem);
+  return problem ? problem.message() : "";
+}
+
 void require_complete(const Toolchain& toolchain, const std::string& exercise) {
   std::vector<fs::path> parts = toolchain.support;
   parts.push_back(toolchain.precompiled());
@@ -62,14 +64,14 @@ void require_complete(const Toolchain& toolchain, const std::string& exercise) {
   const auto exists = [&](const fs::path& file) { return fs::is_regular_file(file, problem); };
   if (exists(toolchain.compiler) && !std::ranges::all_of(parts, exists))
     make({toolchain.setup, toolchain.build}, {toolchain.target});
-  const auto made = fs::last_write_time(toolchain.worker_object(exercise), problem);
-  bool is_current = !problem;
   parts.push_back(toolchain.compiler);
-  for (const fs::path& part : parts) {
+  for (const fs::path& part : parts)
     if (!exists(part)) throw ToolchainError(fmt::format("{} is missing; build the workbook again.", part.string()));
-    is_current = is_current && (part == toolchain.compiler || fs::last_write_time(part) <= made);
-  }
-  if (!is_current) make_worker_object(toolchain, exercise);
+  const std::string main = fmt::format("#include \"{}\"\nint main() {{ return workbook::{}(&rigid::{}); }}\n",
+                                       toolchain.main_header.string(), toolchain.main_function, exercise);
+  if (const std::string reason = make_object(toolchain, toolchain.worker_object(exercise), main); !reason.empty())
+    throw ToolchainError(
+        fmt::format("The worker of {} could not be compiled; does the contract declare it?\n{}", exercise, reason));
 }
 
 }  // namespace workbook

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace workbook {
@@ -41,6 +42,20 @@ struct Toolchain {
 
 /// @throws ToolchainError if the file is missing or damaged
 Toolchain read_toolchain(const std::filesystem::path& file);
+
+/// Compiles a text of our own as students' files are, unless the object is there and not older than what all workers
+/// share. Returns what is in the way; "" if nothing.
+std::string make_object(const Toolchain& toolchain, const std::filesystem::path& object, const std::string& text);
+
+/// Templates in an object of their own.
+struct Instantiation {
+  std::string declarations;
+  std::filesystem::path object;
+};
+
+/// Of Eigen's decompositions, those that a file needs; the objects are made where they are not there. One that cannot
+/// be made is left out, and what the file needs of it is compiled with the file.
+std::vector<Instantiation> instantiations(const Toolchain& toolchain, std::string_view source);
 
 /// Makes what compiling this exercise needs and is not there yet: the prelude, what all workers share, its worker's
 /// main.

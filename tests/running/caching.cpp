@@ -169,6 +169,22 @@ TEST_CASE("two checkers may compile the same file at the same time") {
   CHECK(entries(course.cache) == 1);
 }
 
+TEST_CASE("decompositions by Eigen are compiled once for all files" * doctest::test_suite("thorough")) {
+  Course course{fresh_directory("instantiated")};
+  course.tools.directory = course.directory;
+  write(
+      course.file,
+      R"(// EigenSolver SelfAdjointEigenSolver FromTwoVectors PartialPivLU fullPivLu colPivHouseholderQr householderQr ldlt llt
+double rigid::twice(double x) { return 2 * Eigen::JacobiSVD<Matrix3d>(x * Matrix3d::Identity()).singularValues()[0]; })");
+  const Compilation compilation = course.check();
+  REQUIRE(compilation.executable.has_value());
+  CHECK(answers(*compilation.executable));
+  CHECK(instantiations(course.tools, *read_file(course.file)).size() == 10);
+  course.tools.compiler = "/bin/false";
+  CHECK(instantiations(course.tools, "Matrix3d LDLT").size() == 1);  // there already
+  CHECK(instantiations(course.tools, "Matrix4d LDLT").empty());      // and this one cannot be made
+}
+
 TEST_CASE("a pipe in the place of a kept executable is not waited for") {
   const std::string text = "double rigid::twice(double x) { return x + x + 0; }";
   const fs::path kept = executable(text);
