@@ -24,6 +24,7 @@ static void add_cases(auto& e) {
   e.special("from the inertial basis", Matrix3d::Identity(), example_omega, 0.8);
   e.special("an angle of 1e-8", E0, unit, 1e-8);
   e.special("a very slow rotation", E0, 1e-9 * unit, 0.8);
+  e.special("with the Earth on its orbit, for a hundred days", E0, 1.99e-7 * unit, 8.64e6);
   e.special("just short of half a turn", E0, unit, pi - 1e-8);
   e.special("half a turn", E0, unit, pi);
   e.special("just short of a full turn", E0, unit, 2 * pi - 1e-8);

@@ -38,6 +38,7 @@ void judge_splitting_step(Lecture& lecture) {
   e.special("no step", example_moments, example_omega, 0);
   e.special("a sphere", {2, 2, 2}, example_omega, 0.8);
   e.special("a symmetric body", {1, 1, 1.8}, example_omega, 0.8);
+  e.special("a slow body, a step of months", example_moments, 1e-7 * example_omega, 8e6);
   e.special("no rotation", example_moments, zero, 0.8);
   e.limit("no step", example_omega, "No time passes.");
   e.limit("a spin about axis 3 alone", {0, 0, 5},
