@@ -201,12 +201,17 @@ std::size_t usable_processors();
 /// Waits until one of these can be read, a second at most.
 void wait_for_any(const std::vector<int>& descriptors);
 
+struct DoNothing {
+  void operator()(const auto&) const {}
+};
+
 /// Keeps one job more running than there are processors, for each waits now and then for others; collects each when it
 /// is over.
 /// @param begin    begin(k) starts the k-th job and returns a pointer that owns it
 /// @param collect  collect(k, job); called in the order in which the jobs end
-template <class Begin, class Collect>
-void run_jobs(std::size_t count, const Begin& begin, const Collect& collect) {
+/// @param meanwhile  meanwhile(job); called about every second for one that is running
+template <class Begin, class Collect, class Meanwhile = DoNothing>
+void run_jobs(std::size_t count, const Begin& begin, const Collect& collect, const Meanwhile& meanwhile = {}) {
   const std::size_t at_once = usable_processors() + 1;
   std::vector<std::pair<std::size_t, decltype(begin(count))>> running;
   for (std::size_t next = 0; next < count || !running.empty();) {
@@ -220,6 +225,7 @@ void run_jobs(std::size_t count, const Begin& begin, const Collect& collect) {
       collect(each.first, *each.second);
       return true;
     });
+    if (!running.empty()) meanwhile(*running.front().second);
   }
 }
 

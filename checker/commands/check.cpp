@@ -57,34 +57,47 @@ int check(const Course& course, const CheckOptions& options) {
     if (done < tasks.size()) progress_bar.show(done, tasks.size(), tasks[done].exercise.name());
   };
   show_progress();
-  check_all(context, tasks, [&](CheckResult checked) {
-    ++done;
-    const bool counts = checked.task.counts_as_progress() && checked.is_judged();
-    const std::string remark = counts ? remember(progress, checked) : "";
-    progress_bar.clear();
-    if (options.started && !checked.is_started()) return;
-    if (!options.json) {
-      const Exercise& exercise = checked.task.exercise;
-      const std::string text = terminal_report(checked, course, console, detail);
-      has_room = std::ranges::count(text, '\n') < static_cast<std::ptrdiff_t>(brief_lines);
-      fmt::print("{}", text);
-      if (!remark.empty()) fmt::print("{}\n", console.wrapped(remark, 2));
-      if (tasks.size() == 1 && !checked.is_started())
-        fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
-                   notes_place(course, exercise, exercise.entry->notes, console, 2));
-      if (tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
-        fmt::print("{}", after_pass(course, exercise, progress, console));
-    }
-    if (options.plot) {
-      const std::string drawn = draw(course, checked, !options.json && shows_pictures(tasks.size(), console), console);
-      if (!options.json) fmt::print("{}", drawn);
-    } else if (!options.json && tasks.size() == 1 && has_room) {
-      draw_unasked(course, checked, console);
-    }
-    std::fflush(stdout);
-    results.push_back(std::move(checked));
-    show_progress();
-  });
+  check_all(
+      context, tasks,
+      [&](CheckResult checked) {
+        ++done;
+        const bool counts = checked.task.counts_as_progress() && checked.is_judged();
+        const std::string remark = counts ? remember(progress, checked) : "";
+        progress_bar.clear();
+        if (options.started && !checked.is_started()) return;
+        if (!options.json) {
+          const Exercise& exercise = checked.task.exercise;
+          const std::string text = terminal_report(checked, course, console, detail);
+          has_room = std::ranges::count(text, '\n') < static_cast<std::ptrdiff_t>(brief_lines);
+          fmt::print("{}", text);
+          if (!remark.empty()) fmt::print("{}\n", console.wrapped(remark, 2));
+          if (tasks.size() == 1 && !checked.is_started())
+            fmt::print("{}\n  {}\n", console.wrapped(exercise.entry->task, 2),
+                       notes_place(course, exercise, exercise.entry->notes, console, 2));
+          if (tasks.size() == 1 && checked.judgement.passed() && checked.task.counts_as_progress())
+            fmt::print("{}", after_pass(course, exercise, progress, console));
+        }
+        if (options.plot) {
+          const std::string drawn =
+              draw(course, checked, !options.json && shows_pictures(tasks.size(), console), console);
+          if (!options.json) fmt::print("{}", drawn);
+        } else if (!options.json && tasks.size() == 1 && has_room) {
+          draw_unasked(course, checked, console);
+        }
+        std::fflush(stdout);
+        results.push_back(std::move(checked));
+        show_progress();
+      },
+      [&](const CheckJob& job) {
+        const auto seconds = std::chrono::floor<std::chrono::seconds>(Clock::now() - job.begun()).count();
+        const std::optional<CheckResult> judged = job.last_message();
+        progress_bar.show(
+            done, tasks.size(),
+            fmt::format(
+                "{}{} … {} s", job.name(),
+                judged ? ": " + in_words(to_string(judged->judgement.verdict)) + ", looking for the reason" : "",
+                seconds));
+      });
   progress_bar.clear();
 
   if (options.json) {

@@ -84,7 +84,9 @@ Parameter place_parameter(const char* name, const char* type, std::optional<fs::
 void require_file(const fs::path& file, const char* what) {
   std::error_code ignored;
   if (fs::exists(file, ignored) && !fs::is_directory(file, ignored)) return;
-  throw UsageError(fmt::format("{} is no file: {} is meant.", printable(file.string()), what));
+  throw UsageError(fmt::format(
+      fmt::runtime(fs::exists(file, ignored) ? "{} is no file: {} is meant." : "There is no file {}: {} is meant."),
+      printable(file.string()), what));
 }
 
 Requirement no_help_in_exam(const std::vector<std::string>& names) {

@@ -31,4 +31,7 @@ std::vector<Reason> explain(const Evidence& evidence);
 /// line is left for later tries. Slips of C++ stay.
 void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference& exercise, const Answers& answers);
 
+/// A symptom: at how many cases, with a limit among them, or where it is right.
+Reason where_it_fails(const ExerciseReference& exercise, const Answers& answers);
+
 }  // namespace workbook

@@ -17,28 +17,6 @@ int first_stage(ReasonKind kind) {
   return std::ranges::count(at_once, kind) > 0 ? 1 : std::ranges::count(second, kind) > 0 ? 2 : 3;
 }
 
-/// A limit at which it fails, or else the first case; and where it is right.
-Reason where_it_fails(const ExerciseReference& exercise, const Answers& answers) {
-  constexpr std::size_t most_named = 3;
-  const Outcomes outcomes = outcomes_of(exercise, answers);
-  std::vector<std::string> right;
-  for (const std::size_t index : outcomes.right)
-    if (const std::string name = fmt::format("“{}”", exercise.cases[index].name);
-        index < exercise.described_cases() && right.size() < most_named && std::ranges::count(right, name) == 0)
-      right.push_back(name);
-  std::string sentence = fmt::format("It is wrong at {} of {}", outcomes.wrong.size(),
-                                     plural(outcomes.wrong.size() + outcomes.right.size(), "case"));
-  const auto limit = std::ranges::find_if(
-      exercise.limits, [&](const Limit& each) { return std::ranges::count(outcomes.wrong, each.case_index) > 0; });
-  if (limit != exercise.limits.end())
-    sentence += fmt::format(", the limit “{}” among them: what must come out there without any formula?",
-                            exercise.cases[limit->case_index].name);
-  else
-    sentence += right.empty() ? "." : ", and right at " + listed(right) + ".";
-  return {ReasonKind::place, "where",
-          sentence + " The reason is named at the third try with a changed file, or after a hint.", Weight::symptom};
-}
-
 /// With which inputs the factor changes by which the result is wrong, as cases tell that differ in one of them only.
 std::string inputs_of_factor(const ExerciseReference& exercise, const Answers& answers) {
   constexpr double same = 1e-6;
@@ -69,6 +47,32 @@ std::string inputs_of_factor(const ExerciseReference& exercise, const Answers& a
 
 }  // namespace
 
+Reason where_it_fails(const ExerciseReference& exercise, const Answers& answers) {
+  constexpr std::size_t most_named = 3;
+  const Outcomes outcomes = outcomes_of(exercise, answers);
+  const auto names_of = [&](const std::vector<std::size_t>& cases) {
+    std::vector<std::string> names;
+    for (const std::size_t index : cases)
+      if (const std::string name = fmt::format("“{}”", exercise.cases[index].name);
+          index < exercise.described_cases() && names.size() < most_named && std::ranges::count(names, name) == 0)
+        names.push_back(name);
+    return names;
+  };
+  const std::vector<std::string> right = names_of(outcomes.right), wrong = names_of(outcomes.wrong);
+  std::string sentence = fmt::format("It is wrong at {} of {}", outcomes.wrong.size(),
+                                     plural(outcomes.wrong.size() + outcomes.right.size(), "case"));
+  const auto limit = std::ranges::find_if(
+      exercise.limits, [&](const Limit& each) { return std::ranges::count(outcomes.wrong, each.case_index) > 0; });
+  if (limit != exercise.limits.end())
+    sentence += fmt::format(", the limit “{}” among them (case {}): work that one out first.",
+                            exercise.cases[limit->case_index].name, limit->case_index + 1);
+  else if (wrong.size() == outcomes.wrong.size())
+    sentence += " only: " + listed(wrong) + ".";
+  else
+    sentence += right.empty() ? "." : ", and right at " + listed(right) + ".";
+  return {ReasonKind::place, "where", sentence, Weight::symptom};
+}
+
 void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference& exercise, const Answers& answers) {
   const auto is_told = [&](const Reason& reason) {
     // An argument without effect is a region too.
@@ -82,6 +86,7 @@ void hold_back(std::vector<Reason>& reasons, int stage, const ExerciseReference&
         return;
       }
   reasons.push_back(where_it_fails(exercise, answers));
+  reasons.back().sentence += " The reason is named at the third try with a changed file, or after a hint.";
   if (stage > 1) reasons.back().sentence += inputs_of_factor(exercise, answers);
 }
 

@@ -114,8 +114,11 @@ void explain_failure(Judged& judged, CheckContext& context) {
                      ask,
                      context.toolchain(),
                      context.course().compiled()});
+  const Answers answers = answers_of(reference, checked.observation.replies);
   if (checked.task.stage < CheckTask::last_stage)
-    hold_back(reasons, checked.task.stage, reference, answers_of(reference, checked.observation.replies));
+    hold_back(reasons, checked.task.stage, reference, answers);
+  else if (reasons.empty() && has_values(verdict) && !reference.limits.empty())
+    reasons = {where_it_fails(reference, answers)};
 }
 
 CheckResult missing_file(const CheckTask& task, const ExerciseReference& reference) {
@@ -193,7 +196,7 @@ void wait_for_own_functions(CheckContext& context, const CheckTask& task, const 
   judgement.waiting_for = waited_for;
   judgement.message = fmt::format("Your function calls your own {}; once {}, it can be judged.",
                                   fmt::join(reasons, " and "), reasons.size() == 1 ? "that passes" : "those pass");
-  judgement.next_step = fmt::format("First {}.", fmt::join(commands, ", "));
+  judgement.next_step = fmt::format("First {}.", listed(commands));
 }
 
 }  // namespace
@@ -389,7 +392,7 @@ CheckResult CheckJob::result() {
 }
 
 void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
-               const std::function<void(CheckResult)>& deliver) {
+               const std::function<void(CheckResult)>& deliver, const std::function<void(const CheckJob&)>& meanwhile) {
   std::map<std::size_t, CheckResult> early;
   std::size_t turn = 0;
   run_jobs(
@@ -397,7 +400,8 @@ void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
       [&](std::size_t k, CheckJob& job) {
         early.emplace(k, job.result());
         for (; early.contains(turn); ++turn) deliver(std::move(early.extract(turn).mapped()));
-      });
+      },
+      meanwhile);
 }
 
 }  // namespace workbook

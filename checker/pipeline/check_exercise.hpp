@@ -140,6 +140,7 @@ class CheckJob {
   /// Takes what has come so far. True once the job is over, or its time: then result() does not wait.
   bool collect();
   Clock::time_point begun() const { return job_->begun(); }
+  const std::string& name() const { return task_.exercise.name(); }
   /// Time since the verdict, as far as it has been collected.
   Clock::duration explaining() const { return judged_ ? Clock::now() - *judged_ : Clock::duration(0); }
 
@@ -158,7 +159,9 @@ class CheckJob {
 };
 
 /// Checks all tasks, as many at a time as there are processors, and hands over each result in the order of the tasks.
-void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
-               const std::function<void(CheckResult)>& deliver);
+/// @param meanwhile  is told about every second what has become of one that is running
+void check_all(
+    CheckContext& context, const std::vector<CheckTask>& tasks, const std::function<void(CheckResult)>& deliver,
+    const std::function<void(const CheckJob&)>& meanwhile = [](const CheckJob&) {});
 
 }  // namespace workbook

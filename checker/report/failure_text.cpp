@@ -209,7 +209,8 @@ Lines result_section(const ExerciseReference& exercise, std::size_t case_index, 
   }
   result.columns.push_back({"expected", result.expected, digits});
   if (actual) result.columns.push_back({"yours", *actual, digits});
-  if (result.difference) result.columns.push_back({"difference", result.difference->difference, difference_digits});
+  if (result.difference && exercise.result_kind != Kind::integer)
+    result.columns.push_back({"difference", result.difference->difference, difference_digits});
 
   const std::string unit = exercise.result_units.size() == 1 ? to_string(exercise.result_units.front()) : "";
   Lines lines = result_lines(result, page, exercise.result_name + in_brackets(unit));
@@ -242,7 +243,7 @@ std::string exchanged_entries(const ExerciseReference& exercise, std::size_t cas
 /// The number whose error is largest in its natural size, where entries are compared one by one.
 std::string worst_entry(const ExerciseReference& exercise, std::size_t case_index, const Value& actual) {
   const Deviation deviation = deviations(exercise, case_index, actual).front();
-  if (!deviation.is_entrywise || !actual.is_finite()) return "";
+  if (!deviation.is_entrywise || !actual.is_finite() || exercise.result_kind == Kind::integer) return "";
   const std::size_t worst = std::ranges::max(first_indices(actual.numbers.size()), {}, [&](std::size_t n) {
     return std::abs(deviation.difference.numbers[n]) / deviation.allowed[n];
   });
@@ -267,17 +268,23 @@ std::size_t widest(const std::vector<std::string>& lines) {
 std::vector<std::string> describe_case(const ExerciseReference& exercise, std::size_t case_index,
                                        const std::optional<Value>& actual, const Page& page) {
   const Case& one = exercise.cases.at(case_index);
-  Lines inputs;
-  bool may_join = false;  // short inputs stand beside each other
-  for (std::size_t a = 0; a < one.inputs.size(); ++a) {
-    Lines input = input_lines(exercise.arguments.at(a), one.inputs[a], page);
-    const bool is_short = input.size() == 1 && !page.is_linear;
-    if (is_short && may_join && display_width(inputs.back()) + display_width(input.front()) < page.width)
-      inputs.back() += " " + input.front();
-    else
-      append(inputs, std::move(input));
-    may_join = is_short;
-  }
+  std::vector<Lines> each;
+  for (std::size_t a = 0; a < one.inputs.size(); ++a)
+    each.push_back(input_lines(exercise.arguments.at(a), one.inputs[a], page));
+  const auto beside_each_other = [&] {
+    Lines lines;
+    bool may_join = false;  // short ones
+    for (const Lines& input : each) {
+      const bool is_short = input.size() == 1 && !page.is_linear;
+      if (is_short && may_join && display_width(lines.back()) + display_width(input.front()) < page.width)
+        lines.back() += " " + input.front();
+      else
+        append(lines, input);
+      may_join = is_short;
+    }
+    return lines;
+  };
+  Lines inputs = beside_each_other();
   // Where there is too little room, long results give way, then inputs.
   Lines result = result_section(exercise, case_index, actual, page);
   Page shorter = page;
@@ -286,9 +293,17 @@ std::vector<std::string> describe_case(const ExerciseReference& exercise, std::s
       shorter.most_rows = rows;
       result = result_section(exercise, case_index, actual, shorter);
     }
-  if (1 + inputs.size() + result.size() > page.most_lines) {
-    inputs.resize(page.most_lines - std::min(page.most_lines, result.size() + 2));
-    inputs.emplace_back(inputs.empty() ? "  (inputs not shown)" : "  (further inputs not shown)");
+  for (Lines left_out; 1 + inputs.size() + result.size() > page.most_lines && left_out.size() < each.size();) {
+    const auto size = [](const Lines& input) {
+      return std::pair(input.size(), input.empty() ? 0 : input.front().size());
+    };
+    const auto longest = std::ranges::max_element(each, {}, size);
+    left_out.push_back(exercise.arguments[static_cast<std::size_t>(longest - each.begin())].name);
+    longest->clear();
+    inputs = beside_each_other();
+    inputs.push_back(left_out.size() == each.size() ? "  (inputs not shown)"
+                     : left_out.size() > 2          ? "  (further inputs not shown)"
+                                                    : fmt::format("  ({} not shown)", fmt::join(left_out, ", ")));
   }
   Lines lines = {fmt::format("Case {} “{}”", case_index + 1, one.name)};
   append(lines, std::move(inputs));

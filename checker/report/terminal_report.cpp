@@ -109,7 +109,7 @@ class Report {
     std::vector<Reason> same = checked_.reasons;
     std::erase_if(same, [&](const Reason& other) { return other.sentence != reason.sentence; });
     labelled(label, place_and_sentence(checked_, same));
-    for (const std::string& line : lines_of(reason.excerpt)) text_ += "    " + fitted(line) + "\n";
+    for (const std::string& line : around_caret(lines_of(reason.excerpt))) text_ += "    " + fitted(line) + "\n";
     if (!is_first && !has_room(0))
       text_ = before;
     else if (has_room(1))
@@ -136,7 +136,8 @@ class Report {
     const ExerciseReference& reference = *checked_.reference;
     const Answers answers = answers_of(reference, checked_.observation.replies);
     Page page{console_.width() - report_indent, console_.plain()};
-    page.is_brief = !detail_.full;
+    const bool is_asked = detail_.full || (detail_.case_index && !detail_.by_keys);
+    page.is_brief = !is_asked;
     std::string size;
     if (checked_.reasons.empty() && !detail_.is_pending && !checked_.judgement.passed())
       size = error_size(reference, checked_.judgement.failing, answers);
@@ -144,12 +145,12 @@ class Report {
     // That follows, and a line that says what to type to see more.
     const std::size_t taken = rows() + static_cast<std::size_t>(std::ranges::count(size, '\n')) + 1;
     const std::size_t room = most_rows() - std::min(most_rows(), taken);
-    if (detail_.full)
+    if (is_asked)
       page.most_rows = 10000;
     else
       page.most_lines = room;
     const std::vector<std::string> lines = describe_case(reference, index, answers.at(index), page);
-    if (detail_.full || lines.size() < room) text_ += "\n";
+    if (is_asked || lines.size() < room) text_ += "\n";
     for (const std::string& line : lines) text_ += "  " + line + "\n";
     text_ += size;
     if (!checked_.judgement.passed() && checked_.judgement.failing.size() > 1 && detail_.full)
@@ -196,6 +197,19 @@ class Report {
     const std::string body = console_.wrapped(text, report_indent + label_width + 1);
     text_ += "  " + console_.styled(padded(label, label_width), Style::strong) + " " +
              body.substr(std::min(body.size(), report_indent + label_width + 1)) + "\n";
+  }
+
+  /// A line and the ^ below it, without their beginnings where there is no room for the ^.
+  std::vector<std::string> around_caret(std::vector<std::string> lines) const {
+    constexpr std::size_t behind = 12;
+    const std::size_t caret = lines.empty() ? std::string::npos : lines.back().find('^');
+    if (caret == std::string::npos || caret + 4 + behind <= console_.width()) return lines;
+    const std::size_t begin = caret + 4 + behind - console_.width();
+    for (std::string& line : lines)
+      if (std::ranges::all_of(line, [](char letter) { return static_cast<unsigned char>(letter) < 0x80; }) &&
+          line.size() > begin)
+        line = (&line == &lines.back() ? " " : "…") + line.substr(begin + 1);
+    return lines;
   }
 
   /// One line cut to the width of the terminal, less its margin; a tab is as wide as the terminal likes.
