@@ -10,7 +10,7 @@ namespace workbook {
 CompilerOutput read_compiler_output(std::string_view output, const std::string& shown_name,
                                     const std::function<bool(const std::string&)>& may_be_shown) {
   constexpr std::size_t longest_head = 1000;
-  constexpr std::size_t longest_text = 4000;  // of an error, of its notes, of its context
+  constexpr std::size_t longest_text = 12000;  // of an error, of its notes, of its context
   constexpr const char* placed =
       R"(^([^ ].*?):(\d{1,9})(?::(\d{1,9}))?: (?:(fatal error|error|Error|warning|note): )?)";
   CompilerOutput result;

@@ -79,7 +79,7 @@ std::string plain_template(const std::string& name, const std::string& list) {
 }  // namespace
 
 std::string in_plain_words(std::string_view text) {
-  constexpr std::size_t longest = 2000;
+  constexpr std::size_t longest = 12000;
   std::string plain =
       replaced(cut(text, longest), R"(\b(class|struct) (?=\w*::)| \[-fpermissive\]| \[with [^\]]*\])", "");
   constexpr const char* innermost = R"((?:Eigen::)?(?!operator\b)\b(\w+)<([^<>]*?) ?>(::)?)";

@@ -118,6 +118,8 @@ const std::vector<TextMistake>& table() {
       {"degrees_argument",
        R"((\w+) = [^\n]* 180(?:\.0*)? / (?:std :: numbers :: )?(?:pi|M_PI|3\.14\d*) ;\n(?:[^\n]*\n)*?[^\n]*(sin|cos|tan) \( \1 \)[^\n]*$)",
        "$2 takes radians, but 180 / π has turned `$1` into degrees.", nullptr, "", Weight::possible},
+      {"self_assignment", R"(^(\w+) = \1 ;$)",
+       "This assigns `$1` to itself: a parameter hides the member of this name, which is this->$1."},
       {"xor_for_power", R"((?:^| )(?<!\^ )(10 \^ (?:- )?\d+|\S+ \^ [2-9])(?= |$))",
        "`$1` is not a power in C++: ^ combines the bits of whole numbers. Write x * x or std::pow(x, 2), and 1e-6 for "
        "10^-6."},
@@ -534,20 +536,15 @@ std::vector<Reason> text_mistakes(const SourceText& source) {
         add(index, "index_out_of_range", array, "`$1` has $2 elements, and indices start at 0: this one is not there.",
             Weight::cause, Fix::none, false);
   }
-  constexpr const char* macro = R"((?:^|\n)[ \t]*#[ \t]*define[ \t]+(\w+)\([\w, \t]+\)[ \t]+(?!\()[^\n]*[-+*/])";
-  for (const Match& defined : search_all(source.text(), macro)) {
-    const std::string call = "\\b" + defined[1] + "\\(";
-    const bool is_torn = static_cast<bool>(search(source.text(), "[-/*%][ \t]*" + call)) ||
-                         static_cast<bool>(search(source.text(), call + R"([^()\n]*\)[ \t]*[*/])")) ||
-                         static_cast<bool>(search(
-                             source.text(), call + R"((?:[^()\n]|(\((?:[^()\n]|(?1))*\)))*[-+](?:[^()\n]|(?1))*\))"));
-    if (is_torn)
-      found.push_back(source.reason(
-          source.place_of(defined.offsets[1]), "macro",
-          defined.fill("The text of `$1` is put in as it stands, so that * and / before it or + in it take it "
-                       "apart: write a function in its place."),
-          Weight::possible, Fix::macro));
-  }
+  constexpr const char* list_of_bases =
+      R"(\b(?:struct|class)\s+(\w+)\b[^]*?\b(?:struct|class)\s+\w+(?:\s+final)?\s*:\s*(?:public\s+)?\1\b[^]*?\b(?:vector|array|deque|list)\s*<\s*(\1)\s*[,>])";
+  if (has_one_of(tokens, " virtual "))
+    if (const Match list = search(source.text(), list_of_bases))
+      found.push_back(
+          source.reason(source.place_of(list.offsets[2]), "sliced_object",
+                        list.fill("A list of `$2` keeps of each object only the part that is a `$2`, with the "
+                                  "functions of `$2`: take a list of std::unique_ptr<$2>."),
+                        Weight::cause));
   return found;
 }
 

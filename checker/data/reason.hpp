@@ -45,8 +45,7 @@ enum class Fix {
   no_noalias,
   as_value,
   by_reference,
-  compound,
-  macro
+  compound
 };
 
 /// Either true or absent.

@@ -105,7 +105,10 @@ bool explain_values(Search& search) {
   if (!search.has_cause()) return false;
   if (are_finite) return true;
   std::vector<Reason> besides = diagnostic_run(evidence.task, evidence.toolchain, evidence.cache);
-  for (Reason& reason : besides) reason.sentence = "Besides, at the cases without a finite number: " + reason.sentence;
+  for (Reason& reason : besides) {
+    reason.sentence = "At the cases without a finite number: " + reason.sentence;
+    reason.weight = Weight::symptom;
+  }
   search.add_code(std::move(besides));
   return true;
 }
@@ -136,18 +139,23 @@ bool explain_lost_digits(Search& search) {
   if (outcome.wrong.empty()) return false;
   if (are_near) outcome.wrong = near;
   const SourceText source(search.evidence.task.submission.text);
-  const auto first_of = [&](std::initializer_list<std::string_view> names) {
-    return std::ranges::find_if(
-        source.tokens(), [&](const Token& token) { return std::ranges::find(names, token.text) != names.end(); });
-  };
-  const auto arc = first_of({"acos", "asin"}), end = source.tokens().end();
+  const bool has_atan2 = std::ranges::count(source.tokens(), "atan2", &Token::text) > 0;
+  // acos(-1) is π.
+  const auto arc = std::ranges::find_if(source.tokens(), [&](const Token& token) {
+    const std::size_t behind = token.offset + token.text.size();
+    return is_one_of(token.text, {"acos", "asin"}) &&
+           !workbook::search(source.text().substr(behind), R"(^\s*\(\s*-?[\d.]+\s*\))");
+  });
+  const auto end = source.tokens().end();
   const auto tell_arc = [&] {
     if (arc == end) return false;
-    search.add_code({source.reason(source.place_of(arc->offset), "lost_digits",
-                                   fmt::format("{} loses half of the digits of an angle where its argument is near 1 "
-                                               "or −1, and your result is wrong by so little: atan2 keeps them.",
-                                               arc->text),
-                                   Weight::possible)});
+    search.add_code({source.reason(
+        source.place_of(arc->offset), "lost_digits",
+        fmt::format("{} loses half of the digits of an angle where its argument is near 1 "
+                    "or −1, and your result is wrong by so little{}: atan2 keeps them.",
+                    arc->text,
+                    near.size() < wrong ? fmt::format(" at {} of {}", near.size(), plural(wrong, "wrong case")) : ""),
+        Weight::possible)});
     return true;
   };
   if (are_near && may_be_branch && tell_arc()) return false;
@@ -188,7 +196,7 @@ bool explain_lost_digits(Search& search) {
                        : fmt::format("At {} of the {} where", outcome.wrong.size(), plural(wrong, "case")),
                    are_near ? "it is nearly right, but its last" : "its",
                    arc == end ? "" : ", or in acos and asin near ±1, where atan2 keeps them",
-                   first_of({"atan2"}) == end ? "" : ", or in atan2 where both its arguments are nearly 0")}};
+                   has_atan2 ? ", or in atan2 where both its arguments are nearly 0" : "")}};
   return true;
 }
 

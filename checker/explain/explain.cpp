@@ -61,7 +61,8 @@ std::vector<Reason> explain(const Evidence& evidence) {
   for (const auto& [when, look] : explainers)
     if (is_due(when, search.verdict()) && look(search)) break;
   search.add_code(std::move(search.in_code));
-  std::ranges::stable_partition(search.reasons, &Reason::is_in_code);
+  std::ranges::stable_partition(
+      search.reasons, [](const Reason& reason) { return reason.is_in_code() && reason.weight != Weight::symptom; });
   return std::move(search.reasons);
 }
 

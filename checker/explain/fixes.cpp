@@ -81,15 +81,6 @@ std::vector<Edit> edits_of(const SourceText& source, const Reason& mistake) {
       if (sign == nullptr) return {};
       return {{sign->offset, 2, std::string(source.text().substr(sign->offset + 1, 1)) + "="}};
     }
-    case Fix::macro: {  // ( ) around the text and around each argument in it
-      const std::string line = lines_of(std::string(source.text())).at(static_cast<std::size_t>(mistake.line) - 1);
-      const Match parts = search(line, R"(^(.*?\w\(([\w, \t]+)\)[ \t]+)(.*)$)");
-      if (!parts) return {};
-      std::string text = parts[3];
-      for (const Match& name : search_all(parts[2], "\\w+"))
-        text = replaced(text, "\\b" + name[0] + "\\b", "(" + name[0] + ")");
-      return {{source.offset_of({mistake.line, 1}) + parts[1].size(), parts[3].size(), "(" + text + ")"}};
-    }
     case Fix::not_static:
       return in_place_of("static", "");
     case Fix::as_double:

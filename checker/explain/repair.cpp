@@ -245,9 +245,15 @@ std::optional<Reason> coarse(VariantRunner& runner, const std::vector<Variant>& 
   const bool is_near = std::ranges::max(errors) <= nearly_right;
   double best = is_near ? clearly_less : much_less;
   std::optional<Reason> found;
+  // With less of a change there is more left; where a series or a rule of Gauss ends, that falls fast.
+  const auto follows_rule = [&](std::size_t k, double ratio) {
+    const double times = multiple(variants[k], source);
+    const auto first = times > 0 ? with_multiple(times > 1 ? 2 : 0.5, variants[k], variants, source) : std::nullopt;
+    return ratio >= of_no_rule || (first && sum(runner.errors(*first)) >= of_no_rule * sum(errors));
+  };
   const auto tell = [&](std::size_t k, const std::string& words, double ratio) {
     // One step more may add what is no part of a sum: that the error becomes smaller is then an accident.
-    if (ratio >= (variants[k].kind == VariantKind::loop ? std::min(best, much_less) : best) || ratio < of_no_rule)
+    if (ratio >= (variants[k].kind == VariantKind::loop ? std::min(best, much_less) : best) || !follows_rule(k, ratio))
       return;
     best = ratio;
     const double times = variants[k].kind == VariantKind::steps ? 10 : multiple(variants[k], source);

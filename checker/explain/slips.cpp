@@ -33,6 +33,8 @@ struct Slip {
 };
 
 constexpr Slip slip_table[] = {
+    {"integer_division", R"(#[ \t]*define\b[^\n]*?(?<![\w.])\d+\s*(/)\s*\d+(?![\w.]))", "* 1.0 /",
+     "Whole numbers are divided here, and what follows the decimal point is dropped: make one of them a double."},
     {"negative_remainder", R"(((?:std\s*::\s*)?\bfmod)\s*\()",
      "[](double a, double b) { return a - b * std::floor(a / b); } ",
      "fmod keeps the sign of its first argument, so that the remainder of a negative number is negative."},
@@ -77,6 +79,14 @@ constexpr Slip slip_table[] = {
      R"(\b((?:Vector|Matrix)[23X]d)\s+(\w+)\s*=\s*(\w+)\s*\.\s*(?:col|row|block|head|tail|segment|diagonal)\b)", "auto",
      "`$3` is a copy of a part of `$4`: what changes the one does not change the other. With auto, `$3` is this part "
      "itself."},
+    {"kept_view",
+     R"(\bauto\s+(\w+)\s*=\s*((\w+)\s*\.\s*(?:col|row|head|tail|segment|block|diagonal|transpose)\s*(?:<[^;<>]*>\s*)?(?1))\s*;)",
+     "workbook_value($3)",
+     "With auto, `$2` is no copy but a part of `$4` itself, which changes with it: write its type in place of auto.",
+     3},
+    {"reference_to_temporary", R"(\b(minmax\s*\()" PART "," PART R"(\)))", "minmax({$3, $4})",
+     "minmax hands back references to both values, which are gone at the end of the line if they are computed here: "
+     "write std::minmax({a, b})."},
     {"one_too_far", R"(\bseq\s*\()" ANY "," PART R"(\))", "$2 - 1",
      "The end of seq(first, last) belongs to the sequence, unlike that of a slice in Python."},
     {"end_and_step", R"(\bintegrate_(?:adaptive|const)\s*\((?:)" ANY R"(,){4}()" PART "," PART R"()[,)])", "$4, $3",
@@ -240,6 +250,10 @@ constexpr Slip slip_table[] = {
      "`$2` is a sum of rounded steps, here a little above the end after the last one, and the loop makes one turn too "
      "few: count the turns by an int.",
      4},
+    {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.\s*reverse\b)", "rowwise",
+     "colwise().reverse() turns each column upside down; the order of the columns is reversed by rowwise()."},
+    {"other_method", R"(\.\s*(rowwise)\s*\(\s*\)\s*\.\s*reverse\b)", "colwise",
+     "rowwise().reverse() reverses the order of the columns; each column is turned upside down by colwise()."},
     {"other_method", R"(\.\s*(colwise)\s*\(\s*\)\s*\.\s*(?:sum|mean|prod|norm|squaredNorm|maxCoeff|minCoeff)\b)",
      "rowwise", "colwise() has a result for each column; that over all columns is rowwise()."},
     {"counts_from_one", R"(\.\s*(?:segment|middleCols|middleRows|col|row)\s*(?:<\s*\d\s*>\s*)?\(\s*(\d)\s*[,)])",
@@ -279,6 +293,7 @@ class Slips {
                     2, true});
     sizes_for_ends();
     entry_by_entry();
+    macros();
   }
 
   std::vector<Reason> reasons;
@@ -488,6 +503,21 @@ class Slips {
     const Place place = source_.place_of(edits[0].offset);
     add("entrywise_product", "The * of arrays multiplies entry by entry: leave .array() out for a product of matrices.",
         place, std::move(edits));
+  }
+
+  /// #define SQUARE(x) x * x
+  void macros() {
+    constexpr const char* pattern =
+        R"((?:^|\n)[ \t]*#[ \t]*define[ \t]+(\w+)(\([\w, \t]+\)|)[ \t]+((?:[^\n/]|/(?!/))*[-+*/](?:[^\n/]|/(?!/))*))";
+    for (const Match& defined : search_all(source_.text(), pattern)) {
+      std::string text = defined[3];
+      for (const Match& name : search_all(defined[2], "\\w+"))
+        text = workbook::replaced(text, "\\b" + name[0] + "\\b", "(" + name[0] + ")");
+      add("macro",
+          defined.fill("The text of `$1` is put in as it stands, so that * and / before it or + in it take it apart: "
+                       "write a function or a constant in its place."),
+          source_.place_of(defined.offsets[1]), {{defined.offsets[3], defined[3].size(), "(" + text + ")"}});
+    }
   }
 
   const SourceText& source_;

@@ -46,11 +46,12 @@ struct WorkbookTimes {
   WorkbookTimes operator+() const { return *this; }
 };
 template <class T> auto operator*(WorkbookTimes times, const T& x);
-// 0: as it is, 1: one over it, 2: its square, 3: its root, 4: its absolute value, 5: 1 minus it, 6: its transpose, 7: its unit vector
+// 0: as it is, 1: one over it, 2: its square, 3: its root, 4: its absolute value, 5: 1 minus it, 6: its transpose, 7: its unit vector,
+// 8: √(1 − x²)
 struct WorkbookChange { int number; };
 template <class T> decltype(auto) operator->*(WorkbookChange change, const T& x) {
   if constexpr (std::is_floating_point_v<T>) {
-    const T others[] = {x, 1 / x, x * x, std::sqrt(x), std::abs(x), 1 - x, x, x};
+    const T others[] = {x, 1 / x, x * x, std::sqrt(x), std::abs(x), 1 - x, x, x, std::sqrt(1 - x * x)};
     return T(others[change.number]);
   } else if constexpr (requires { requires std::is_base_of_v<Eigen::MatrixBase<T>, T>; requires T::SizeAtCompileTime > 1; requires std::is_same_v<typename T::Scalar, double>; }) {
     typename T::PlainObject value = x;
@@ -141,6 +142,31 @@ constexpr struct {
 Form form_of(const Variant& variant) {
   const auto number = static_cast<std::size_t>(variant.kind);
   return variant.edits.empty() || number >= std::size(switched_kinds) ? Form::copy : switched_kinds[number].form;
+}
+
+bool holds(const Edit& line, const Edit& edit) {
+  return line.offset <= edit.offset && edit.offset + edit.length <= line.offset + line.length;
+}
+
+/// The macros that `edits` change, as they are before a copy and as they are again behind it.
+std::pair<std::string, std::string> edited_macros(std::string_view text, const std::vector<Edit>& lines,
+                                                  const std::vector<Edit>& edits) {
+  std::pair<std::string, std::string> macros;
+  for (const Edit& line : lines) {
+    std::vector<Edit> here;
+    for (Edit edit : edits)
+      if (holds(line, edit)) {
+        edit.offset -= line.offset;
+        here.push_back(std::move(edit));
+      }
+    const std::string_view written = text.substr(line.offset, line.length);
+    const Match defined = search(written, R"(^[ \t]*#[ \t]*define[ \t]+(\w+))");
+    if (here.empty() || !defined) continue;
+    const std::string forget = fmt::format("#undef {}\n", defined[1]);
+    macros.first += fmt::format("{}{}\n", forget, edited(written, here));
+    macros.second += fmt::format("{}{}\n", forget, written);
+  }
+  return macros;
 }
 
 }  // namespace
@@ -347,12 +373,15 @@ VariantUnit::VariantUnit(const SourceText& source, const std::vector<Variant>& v
   for (std::size_t k = 0; k <= variants.size(); ++k) {
     std::string name = "switched";
     if (k < variants.size() && form_of(variants[k]) == Form::copy) {
+      const auto [macros, undone] = edited_macros(text, without_directives, variants[k].edits);
       std::vector<Edit> edits = without_directives;
-      edits.insert(edits.end(), variants[k].edits.begin(), variants[k].edits.end());
+      std::ranges::copy_if(variants[k].edits, std::back_inserter(edits), [&](const Edit& edit) {
+        return std::ranges::none_of(without_directives, [&](const Edit& line) { return holds(line, edit); });
+      });
       name = fmt::format("variant_{}", k);
       begin_copy(name);
-      append(edited(text, edits), {k});
-      append("}\n");
+      append(macros + edited(text, edits), {k});
+      append("}\n" + undone);
     }
     table += fmt::format("{}&{}::rigid::{}", table.empty() ? "" : ", ", name, exercise.name);
   }

@@ -15,7 +15,7 @@ namespace workbook {
 namespace {
 
 constexpr std::size_t last_token_looked_at = 4000;
-constexpr std::size_t most_variants = 4000, most_tried = 1900;
+constexpr std::size_t most_variants = 20000, most_tried = 1900;
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && (std::isalpha(static_cast<unsigned char>(text[0])) != 0 || text[0] == '_');
@@ -185,13 +185,7 @@ class SourceMutations {
       if (all_bugs_) bugs();
     }
     everywhere();
-    if (found_.size() > most_tried && !all_bugs_) {
-      // Those of which there are most, and that are right least often, go first.
-      std::ranges::stable_sort(found_, {}, [](const Variant& each) {
-        return each.kind == VariantKind::term ? 2 : is_one_of(each.words, {"one factor more", "one divisor more"});
-      });
-      found_.resize(most_tried);
-    }
+    if (found_.size() > most_tried && !all_bugs_) thin_out();
     return std::move(found_);
   }
 
@@ -212,6 +206,28 @@ class SourceMutations {
     std::string text;
     std::vector<std::string> names;
   };
+
+  /// Leaves out some, all over the file, of those of which there are most and that are right least often.
+  void thin_out() {
+    const auto rank_of = [](const Variant& each) {
+      return each.kind == VariantKind::term                                   ? 3
+             : is_one_of(each.words, {"one factor more", "one divisor more"}) ? 2
+                                                                              : each.kind == VariantKind::name;
+    };
+    std::ranges::stable_sort(found_, {}, rank_of);
+    for (const int rank : {3, 2, 1}) {
+      const auto all = static_cast<std::size_t>(std::ranges::count(found_, rank, rank_of));
+      const std::size_t surplus = found_.size() - std::min(found_.size(), most_tried),
+                        kept = all - std::min(all, surplus);
+      std::size_t seen = 0;
+      std::erase_if(found_, [&](const Variant& each) {
+        if (rank_of(each) != rank) return false;
+        ++seen;
+        return seen * kept / all == (seen - 1) * kept / all;
+      });
+    }
+    found_.resize(std::min(found_.size(), most_tried));
+  }
 
   /// Only what stands between the first { of a function and the end is changed, not its head.
   void find_body() {
@@ -836,6 +852,7 @@ class SourceMutations {
     if (is_number && !is_argument) put("the absolute value of {}", "4");
     if (is_number && here() == "-" && before() == "1") put("1 − {} in place", "5");
     const auto type = types_.find(text);
+    if (type != types_.end() && type->second == "double") put("√(1 − x²) in place of x = {}", "8");
     if (is_number && type != types_.end()) return;
     if (type == types_.end() || type->second == "Matrix3d") put("the transpose of {}", "6");
     if (type == types_.end() || type->second == "Vector3d") put("the unit vector of {}", "7");
@@ -885,8 +902,9 @@ class SourceMutations {
     }
     for (const auto& [argument, angle] : angles_) {
       if (!is_visible(argument)) continue;
-      insert_after(VariantKind::factor, "one factor more", "std::cos(" + angle + ") *");
-      insert_after(VariantKind::factor, "one factor more", "std::sin(" + angle + ") *");
+      for (const char* function : {"cos", "sin"})
+        for (const auto& [words, before] : {std::pair{"one factor more", ""}, {"one divisor more", "1 / "}})
+          insert_after(VariantKind::factor, words, fmt::format("{}std::{}({}) *", before, function, angle));
     }
   }
 
@@ -1025,13 +1043,26 @@ class SourceMutations {
              (token(last) == ")" && is_identifier(token(first)) && token(first) != "std" &&
               !token(first).starts_with("Vector") && !types_.contains(std::string(token(first))));
     };
-    const std::size_t left = operand_of(at_), right = at_ + 1, end = end_of_factor(right);
+    const std::size_t left = operand_of(at_);
+    std::size_t right = at_ + 1, end = end_of_factor(right);
+    const auto exchange_both = [&](const char* words) {
+      add(VariantKind::brackets, words, at_,
+          {replaced(left, at_ - 1, text_of(right, end)), replaced(right, end, text_of(left, at_ - 1))});
+    };
+    // `A * I * A.transpose()`
+    if (const std::size_t last = end_of_factor(end + 2);
+        token(end + 1) == "*" && !is_one_of(token(left - 1), {"*", "/"})) {
+      const std::string one = text_of(left, at_ - 1), other = text_of(end + 2, last);
+      if (one != other + ".transpose()" && other != one + ".transpose()") return;
+      right = end + 2;
+      end = last;
+      return exchange_both("the first and the last of these three matrices exchanged");
+    }
     if (is_one_of(token(left - 1), {"/", "*"}) || is_one_of(token(end + 1), {"*", "/"}) || !may_be(left, at_ - 1) ||
         !may_be(right, end) || !(is_matrix(left, at_ - 1) || is_matrix(right, end)) ||
         std::ranges::count(found_, order_words, &Variant::words) >= most)
       return;
-    add(VariantKind::brackets, order_words, at_,
-        {replaced(left, at_ - 1, text_of(right, end)), replaced(right, end, text_of(left, at_ - 1))});
+    exchange_both(order_words);
   }
 
   /// `A * v.cross(w)` as `(A * v).cross(w)`.

@@ -5,7 +5,6 @@
 #include "checker/base/files.hpp"
 #include "checker/compile/toolchain.hpp"
 #include "checker/course/course.hpp"
-#include "checker/sandbox/sandbox.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -88,37 +86,6 @@ fs::path copy_course(const Course& course, const fs::path& course_file, const fs
   return folder / "course.json";
 }
 
-/// What each tier of the sandbox adds to the start of a small program.
-void measure_sandboxes() {
-  const SandboxStrength strongest = probe_sandbox();
-  SandboxStrength full = strongest, reduced = strongest;
-  full.control_groups.clear();
-  reduced.control_groups.clear();
-  reduced.namespaces.clear();
-  fmt::print("Milliseconds to start and end a program, medians of 50 in turn ({}).\n\n", strongest.sentence());
-  std::vector<double> bare;
-  std::map<SandboxTier, std::vector<double>> confined;
-  for (int i = 0; i < 50; ++i) {
-    Launch launch;
-    launch.program = WORKBOOK_LAST_STAGE;
-    launch.arguments = {"0"};  // it tries to read a file
-    launch.with_channel = true;
-    bare.push_back(seconds([&] { run_program(launch, std::chrono::seconds(10), 1000); }));
-    for (const SandboxStrength& strength : {reduced, full, strongest}) {
-      if (confined[strength.tier()].size() > static_cast<std::size_t>(i)) continue;  // the same tier once more
-      use_sandbox(strength);
-      Launch inside = launch;
-      SandboxProfile profile = run_profile();
-      profile.readable = {WORKBOOK_LAST_STAGE};
-      confine(inside, profile);
-      confined[strength.tier()].push_back(seconds([&] { run_program(inside, std::chrono::seconds(10), 1000); }));
-    }
-  }
-  fmt::print("{:<14} {:6.2f}\n", "no sandbox", 1000 * median(bare));
-  for (const auto& [tier, times] : confined) fmt::print("{:<14} {:6.2f}\n", to_string(tier), 1000 * median(times));
-  fmt::print("\n");
-}
-
 struct Times {
   double compile, check, watch;
 };
@@ -181,7 +148,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    measure_sandboxes();
     measure(argv[1], std::stoi(argv[2]), {argv + 3, argv + argc});
   } catch (const std::exception& problem) {
     fmt::print(stderr, "{}\n", problem.what());

@@ -32,7 +32,7 @@ std::optional<Reason> diagnose_coarsely(const ExerciseReference& whole, const An
       std::optional<Reason> found = mechanism(exercise, answers);
       // Of all inputs that may be exchanged or changed some agree by accident with two digits.
       if (!found || (coarse == 1e-2 && found->kind == ReasonKind::input_transform)) continue;
-      found->sentence += fmt::format(" (Your numbers agree with that to about {} digits.)", digits);
+      found->sentence += fmt::format(" (Your numbers agree with those of this mistake to about {} digits.)", digits);
       return found;
     }
   }

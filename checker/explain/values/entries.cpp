@@ -42,12 +42,11 @@ Answers of_entry(const Answers& answers, std::size_t entry) {
 
 /// "Your result …" said of one number of it.
 std::string said_of_entry(const std::string& sentence, const std::string& entry) {
-  constexpr std::pair<const char*, const char*> phrases[] = {{"Your result", "It"}, {"your result", "it"}};
-  std::string words = sentence;
-  for (const auto& [of_whole, of_entry] : phrases)
-    for (std::size_t at = words.find(of_whole); at != std::string::npos; at = words.find(of_whole))
-      words.replace(at, std::string_view(of_whole).size(), of_entry);
-  return fmt::format("Of {} alone: {}", entry, words);
+  constexpr std::string_view whole = "Your result";
+  const bool is_subject = sentence.starts_with(whole);
+  return replaced(
+      is_subject ? capitalized(entry) + sentence.substr(whole.size()) : fmt::format("Of {} alone: {}", entry, sentence),
+      "[Yy]our result", "it");
 }
 
 }  // namespace
@@ -63,6 +62,7 @@ std::optional<Reason> diagnose_one_entry(const ExerciseReference& exercise, cons
       std::optional<Reason> found = mechanism(alone, numbers);
       if (!found) continue;
       found->sentence = said_of_entry(found->sentence, entry_name(shape, exercise.result_kind, entry));
+      found->weight = Weight::possible;
       return found;
     }
   }

@@ -291,8 +291,9 @@ std::optional<Reason> diagnose_split(const ExerciseReference& exercise, const An
     const auto wrong = static_cast<std::size_t>(std::ranges::count_if(outcome.wrong, holds));
     const auto right = static_cast<std::size_t>(std::ranges::count_if(outcome.right, holds));
     if (wrong < outcome.wrong.size()) {
-      const bool is_most =
-          10 * (outcome.wrong.size() - wrong) <= wrong && 20 * right <= wrong && 5 * right <= outcome.right.size();
+      const bool is_most = 10 * (outcome.wrong.size() - wrong) <= wrong && 20 * right <= wrong &&
+                           5 * right <= outcome.right.size() &&
+                           4 * (outcome.wrong.size() - wrong) <= outcome.right.size() - right;
       if (is_most && exercise.result_kind != Kind::integer) mostly.push_back({each.words, wrong, right});
       continue;
     }
@@ -414,6 +415,12 @@ std::optional<Reason> diagnose_one_side(const ExerciseReference& exercise, const
     const std::size_t right_elsewhere = outcome.right.size() - right;
     // Of few answers a wrong one is often right.
     const std::size_t telling = exercise.result_kind == Kind::integer ? 1 : 10;
+    const auto is_zero = [&](std::size_t i) {
+      return std::ranges::count(exercise.cases[i].expected.numbers, 0.0) ==
+             std::ssize(exercise.cases[i].expected.numbers);
+    };
+    // Zeros come out of many a mistake.
+    if (std::ranges::all_of(outcome.right, [&](std::size_t i) { return !holds(i) || is_zero(i); })) continue;
     if (!each.tells_right || wrong > 0 || right < fewest || right_elsewhere * telling > outcome.wrong.size() ||
         right_elsewhere > right)
       continue;

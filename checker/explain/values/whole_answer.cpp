@@ -282,9 +282,11 @@ std::optional<Reason> diagnose_whole_turns(const ExerciseReference& exercise, co
     if (cases < telling_numbers) continue;
     if (are_turns)
       return Reason{ReasonKind::transform, "whole_turns",
-                    fmt::format("At every case your angle is right up to a multiple of {0}; at {1} that multiple is "
-                                "not zero. Follow the angle, or bring it into the range that is asked for.",
-                                text, plural(cases, "case"))};
+                    fmt::format("At every case your angle is right up to a multiple of {}; at {} that multiple is not "
+                                "zero. {}",
+                                text, plural(cases, "case"),
+                                period > 4 ? "Follow the angle, or bring it into the range that is asked for."
+                                           : "Half a turn is missing there, or too much.")};
     if (are_complements)
       return Reason{ReasonKind::transform, "complement",
                     fmt::format("At the {} where your result is wrong it is {} less the right angle: which of the two "
