@@ -91,12 +91,10 @@ int check(const Course& course, const CheckOptions& options) {
       [&](const CheckJob& job) {
         const auto seconds = std::chrono::floor<std::chrono::seconds>(Clock::now() - job.begun()).count();
         const std::optional<CheckResult> judged = job.last_message();
-        progress_bar.show(
-            done, tasks.size(),
-            fmt::format(
-                "{}{} … {} s", job.name(),
-                judged ? ": " + in_words(to_string(judged->judgement.verdict)) + ", looking for the reason" : "",
-                seconds));
+        const bool is_explained = judged && !judged->judgement.passed();
+        const std::string verdict =
+            is_explained ? fmt::format(": {}, reason follows", in_words(to_string(judged->judgement.verdict))) : "";
+        progress_bar.show(done, tasks.size(), fmt::format("{} s  {}{}", seconds, job.name(), verdict));
       });
   progress_bar.clear();
 
