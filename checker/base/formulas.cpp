@@ -94,7 +94,7 @@ class Formula {
     if (const auto accent = accents.find(name[1]); accent != accents.end()) return argument() + accent->second;
     if (name[1] == "frac" || name[1] == "tfrac") {
       const std::string above = in_parentheses_if_long(argument()), below = in_parentheses_if_long(argument());
-      const bool is_factor = search(tex_.substr(at_), R"(^(\\[,;] ?|\s)*([\w({]|\\[A-Za-z]))").groups.size() > 0;
+      const bool is_factor = !search(tex_.substr(at_), R"(^(\\[,;] ?|\s)*([\w({]|\\[A-Za-z]))").groups.empty();
       return is_factor ? "(" + above + "/" + below + ") " : above + "/" + below;
     }
     if (name[1] == "sqrt") return "√" + in_parentheses_if_long(argument());

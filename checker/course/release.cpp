@@ -71,8 +71,10 @@ Found read_inside(const fs::path& folder, const fs::path& file) {
 fs::path link_on_the_way(const fs::path& folder, const fs::path& file) {
   std::error_code ignored;
   fs::path way = folder;
-  for (const fs::path& part : file)
-    if (fs::is_symlink(fs::symlink_status(way /= part, ignored))) return way;
+  for (const fs::path& part : file) {
+    way /= part;
+    if (fs::is_symlink(fs::symlink_status(way, ignored))) return way;
+  }
   return {};
 }
 
