@@ -66,7 +66,7 @@ Reason where_it_fails(const ExerciseReference& exercise, const Answers& answers)
   if (limit != exercise.limits.end())
     sentence += fmt::format(", the limit “{}” among them (case {}): work that one out first.",
                             exercise.cases[limit->case_index].name, limit->case_index + 1);
-  else if (wrong.size() == outcomes.wrong.size())
+  else if (!wrong.empty() && wrong.size() == outcomes.wrong.size())
     sentence += " only: " + listed(wrong) + ".";
   else
     sentence += right.empty() ? "." : ", and right at " + listed(right) + ".";

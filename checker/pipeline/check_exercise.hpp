@@ -160,8 +160,8 @@ class CheckJob {
 
 /// Checks all tasks, as many at a time as there are processors, and hands over each result in the order of the tasks.
 /// @param meanwhile  is told about every second what has become of one that is running
-void check_all(
-    CheckContext& context, const std::vector<CheckTask>& tasks, const std::function<void(CheckResult)>& deliver,
-    const std::function<void(const CheckJob&)>& meanwhile = [](const CheckJob&) {});
+void check_all(CheckContext& context, const std::vector<CheckTask>& tasks,
+               const std::function<void(CheckResult)>& deliver,
+               const std::function<void(const CheckJob&)>& meanwhile = DoNothing());
 
 }  // namespace workbook
